@@ -71,9 +71,10 @@ bool can_be_looked_at(const fs::path& file) {
     return std::ranges::find(extensions, file.extension().string()) != extensions.end();
 }
 
-std::string label_of(const fs::path& file) {
-    std::string label = file.stem().string();
-    std::ranges::replace(label, '_', ' ');
+/// "newell/picture.png" is "newell picture".
+std::string label_of(fs::path file) {
+    std::string label = file.replace_extension().generic_string();
+    for (const char c : {'_', '/'}) std::ranges::replace(label, c, ' ');
     return label;
 }
 
@@ -204,7 +205,7 @@ IndexEntry entry_of(const std::vector<fs::path>& files, const fs::path& folder) 
         if (name == "index.html")
             entry.page = name;
         else if (can_be_looked_at(file))
-            entry.pictures.push_back({name, label_of(file)});
+            entry.pictures.push_back({name, label_of(relative)});
         else
             entry.files.push_back(name);
     }

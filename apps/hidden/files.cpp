@@ -122,29 +122,29 @@ std::string counts_json(const std::vector<Compared>& all) {
     return list.dump(2) + "\n";
 }
 
-void put_log(image::OutputSet& output, const std::filesystem::path& folder,
-             const std::string& log) {
-    output.add(folder / "steps.jsonl").write_text(log);
-    if (const std::string page = page_with("player.html", {log}); !page.empty())
+void put_player(image::OutputSet& output, const std::filesystem::path& folder,
+                const std::vector<std::string>& logs) {
+    if (const std::string page = page_with("player.html", logs); !page.empty())
         output.add(folder / "player.html").write_text(page);
 }
 
-void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
-               const hs::Input& input, const Compared& run, const hs::StepLog& log) {
+std::string put_steps(image::OutputSet& output, const std::filesystem::path& folder,
+                      const hs::Input& input, const Compared& run) {
     const Colors colors = flat_colors(input);
-    const std::vector<hs::Step>& steps = log.steps();
+    const std::vector<hs::Step>& steps = run.log.steps();
     const hs::LogSubject subject{.algorithm = run.algorithm->name,
                                  .title = run.algorithm->title,
                                  .in_world = run.algorithm->in_world,
-                                 .level = log.finest()};
-    put_log(output, folder,
-            log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts)));
+                                 .level = run.log.finest()};
+    std::string log = log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts));
+    output.add(folder / "steps.jsonl").write_text(log);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);
     image::put_picture(output.add(folder / "picture.png"), last[0]);
     image::put_picture(output.add(folder / "difference.png"), last[1]);
     image::put_picture(output.add(folder / "writes.png"), last[2]);
     put_shares(output, folder / "smooth.png", input, run.result, colors);
+    return log;
 }
 
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,

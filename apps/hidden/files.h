@@ -16,6 +16,7 @@ namespace gw::apps {
 struct Compared {
     const hiddensurface::Algorithm* algorithm = nullptr;
     hiddensurface::Result result;
+    hiddensurface::StepLog log{};
 };
 
 /// For one algorithm a line for each counter. For several a line for each algorithm, with as many
@@ -28,13 +29,14 @@ std::string counts_json(const std::vector<Compared>& all);
 std::string log_text(const hiddensurface::Input& input, const hiddensurface::LogSubject& subject,
                      const std::vector<hiddensurface::Step>& steps, const std::string& end);
 
-/// Writes steps.jsonl, and player.html if the build has the page.
-void put_log(image::OutputSet& output, const std::filesystem::path& folder, const std::string& log);
+/// Writes player.html with these logs, if the build has the page.
+void put_player(image::OutputSet& output, const std::filesystem::path& folder,
+                const std::vector<std::string>& logs);
 
-/// Writes the log, writes.png, picture.png, difference.png, and pieces.svg if a polygon was split.
-void put_steps(image::OutputSet& output, const std::filesystem::path& folder,
-               const hiddensurface::Input& input, const Compared& run,
-               const hiddensurface::StepLog& log);
+/// Writes steps.jsonl, writes.png, picture.png, difference.png, and pieces.svg if a polygon was
+/// split. Returns the log for the player.
+std::string put_steps(image::OutputSet& output, const std::filesystem::path& folder,
+                      const hiddensurface::Input& input, const Compared& run);
 
 /// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and, if
 /// the build has the page, index.html. The sheet has each algorithm's picture, difference and writes side by side, with

@@ -21,7 +21,7 @@ namespace hs = hiddensurface;
 namespace {
 
 std::string algorithms_help() {
-    std::string help = "One algorithm (default: all of hidden surfaces):";
+    std::string help = "One algorithm, or two (default: all of hidden surfaces):";
     for (const hs::Algorithm& algorithm : hs::algorithms())
         help += "\n" + algorithm.name + ": " + algorithm.title;
     for (const hs::LineAlgorithm& algorithm : hs::line_algorithms())
@@ -36,6 +36,28 @@ std::vector<std::string> all_names() {
     return names;
 }
 
+/// "newell", or two for one page: "newell,z-buffer".
+std::vector<std::string> algorithms_from(const std::string& list) {
+    std::vector<std::string> names;
+    for (std::size_t from = 0; from <= list.size();) {
+        const std::size_t end = std::min(list.find(',', from), list.size());
+        names.push_back(one_of("--algorithm", list.substr(from, end - from), all_names()));
+        from = end + 1;
+    }
+    const auto draws_lines = [](const std::string& name) {
+        return hs::line_algorithm_named(name) != nullptr;
+    };
+    if (names.size() > 2)
+        throw UsageError("--algorithm '" + list + "' has " + std::to_string(names.size()) +
+                         " names; expected one, or two side by side");
+    if (names.size() == 2 && names[0] == names[1])
+        throw UsageError("--algorithm '" + list + "' has one name twice; expected two algorithms");
+    if (draws_lines(names.front()) != draws_lines(names.back()))
+        throw UsageError("--algorithm '" + list +
+                         "' has one of surfaces and one of lines; expected two of a kind");
+    return names;
+}
+
 hs::Level level_from(const std::string& word) {
     const std::vector<std::string> names{"polygon", "line", "span", "pixel"};
     one_of("--level", word, names);
@@ -44,8 +66,10 @@ hs::Level level_from(const std::string& word) {
 
 void add_output_options(CLI::App& command, HiddenOptions& options) {
     command
-        .add_option("--steps", options.steps,
-                    "For one algorithm: step log, its player, the last picture, SVG of the pieces")
+        .add_option(
+            "--steps", options.steps,
+            "For one algorithm, or two side by side: step log, its player, the last picture, SVG of "
+            "the pieces")
         ->type_name("DIR");
     command
         .add_option_function<std::string>(
@@ -134,11 +158,9 @@ void add_options(CLI::App& command, HiddenOptions& options) {
     command
         .add_option_function<std::string>(
             "--algorithm",
-            [&](const std::string& word) {
-                options.algorithm = one_of("--algorithm", word, all_names());
-            },
+            [&](const std::string& word) { options.algorithms = algorithms_from(word); },
             algorithms_help())
-        ->type_name("NAME");
+        ->type_name("NAME[,NAME]");
     command
         .add_option_function<std::string>(
             "--limit",
@@ -153,13 +175,13 @@ void check(const HiddenOptions& options) {
     const bool exercises = !options.quiz.empty() || !options.grade.empty();
     const bool fragments = !options.fragments.empty() || !options.truth.empty();
     if ((exercises || fragments) &&
-        !(options.algorithm.empty() && options.steps.empty() && options.compare.empty()))
+        !(options.algorithms.empty() && options.steps.empty() && options.compare.empty()))
         throw UsageError(
             "--quiz, --grade, --fragments and --truth choose the algorithm themselves; expected no "
             "--algorithm, --steps or --compare");
     const bool programs = !options.polygons.empty() || !options.play.empty();
     if (programs &&
-        (exercises || fragments || !options.algorithm.empty() || !options.compare.empty()))
+        (exercises || fragments || !options.algorithms.empty() || !options.compare.empty()))
         throw UsageError(
             "--polygons and --play are for an algorithm of one's own; expected no --algorithm, "
             "--compare or exercise");
@@ -176,21 +198,23 @@ void check(const HiddenOptions& options) {
             "--grade KEY ANSWERS");
     if (!options.marked.empty() && options.fragments.empty())
         throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
-    if (!options.steps.empty() && options.algorithm.empty() && options.play.empty())
-        throw UsageError("--steps needs one algorithm; expected --algorithm NAME or --play FILE");
-    if (!options.compare.empty() && !options.algorithm.empty())
+    if (!options.steps.empty() && options.algorithms.empty() && options.play.empty())
+        throw UsageError(
+            "--steps needs an algorithm; expected --algorithm NAME, or two (NAME,NAME), or --play FILE");
+    if (!options.compare.empty() && !options.algorithms.empty())
         throw UsageError("--compare compares all algorithms; expected no --algorithm");
 }
 
 std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
-    if (!options.algorithm.empty()) return {&hs::algorithm_named(options.algorithm)};
     std::vector<const hs::Algorithm*> all;
+    for (const std::string& name : options.algorithms) all.push_back(&hs::algorithm_named(name));
+    if (!all.empty()) return all;
     for (const hs::Algorithm& algorithm : hs::algorithms()) all.push_back(&algorithm);
     return all;
 }
 
-/// The wanted algorithms within the time limit. Warns of each that is left out; throws Error if all
-/// are.
+/// The wanted algorithms within the time limit. Of all, warns of each that is left out, and throws
+/// Error if all are; of those asked for by name, none may be.
 std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
                                                const hs::Input& input) {
     std::vector<const hs::Algorithm*> within;
@@ -201,11 +225,21 @@ std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
             within.push_back(algorithm);
             continue;
         }
-        last = hs::text_of(estimate);
-        if (options.algorithm.empty()) print_warning("left out: " + last + "; --limit 0 to try");
+        last = hs::text_of(estimate) + "; --limit 0 to try";
+        if (!options.algorithms.empty()) throw Error(last);
+        print_warning("left out: " + last);
     }
-    if (within.empty()) throw Error(last + "; --limit 0 to try");
+    if (within.empty()) throw Error(last);
     return within;
+}
+
+void put_all_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
+                   const std::vector<Compared>& all) {
+    std::vector<std::string> logs;
+    for (const Compared& run : all)
+        logs.push_back(
+            put_steps(output, folder_of_steps(options, run.algorithm->name), input, run));
+    put_player(output, options.steps, logs);
 }
 
 int surfaces(const HiddenOptions& options, Session& session) {
@@ -213,8 +247,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
     const Profile profile = load_profile(options.picture, session);
     const scene::Scene scene = load_scene(options.picture, session);
     image::OutputSet output(session.inputs);
-    for (const auto& folder : {options.steps, options.compare})
-        if (!folder.empty()) output.make_folder(folder);
+    make_folders(output, options);
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const auto machine = make_machine(options.picture, profile, session);
@@ -224,15 +257,16 @@ int surfaces(const HiddenOptions& options, Session& session) {
     hs::StepLog none;
     progress.at("z-buffer");
     const hs::Result expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
-    hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
     std::vector<Compared> all;
     for (const hs::Algorithm* algorithm : chosen) {
         progress.at(algorithm->name);
-        all.push_back({algorithm, hs::run_on(*machine, *algorithm, input, log)});
-        hs::compare(all.back().result, expected.ids, input);
+        hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
+        hs::Result result = hs::run_on(*machine, *algorithm, input, log);
+        hs::compare(result, expected.ids, input);
+        all.push_back({algorithm, std::move(result), std::move(log)});
     }
     progress.at("writing");
-    if (!options.steps.empty()) put_steps(output, options.steps, input, all.front(), log);
+    if (!options.steps.empty()) put_all_steps(output, options, input, all);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);
     for (const auto& folder : {options.steps, options.compare})
         if (!folder.empty()) put_index(output, folder, session);
@@ -251,11 +285,24 @@ int hidden(const HiddenOptions& options, Session& session) {
         return hidden_fragments(options, session);
     if (!options.polygons.empty()) return hidden_polygons(options, session);
     if (!options.play.empty()) return hidden_play(options, session);
-    return hs::line_algorithm_named(options.algorithm) ? hidden_lines(options, session)
-                                                       : surfaces(options, session);
+    const bool lines = !options.algorithms.empty() &&
+                       hs::line_algorithm_named(options.algorithms.front()) != nullptr;
+    return lines ? hidden_lines(options, session) : surfaces(options, session);
 }
 
 }  // namespace
+
+void make_folders(image::OutputSet& output, const HiddenOptions& options) {
+    for (const auto& folder : {options.steps, options.compare})
+        if (!folder.empty()) output.make_folder(folder);
+    if (options.steps.empty() || options.algorithms.size() < 2) return;
+    for (const std::string& name : options.algorithms)
+        output.make_folder(folder_of_steps(options, name));
+}
+
+std::filesystem::path folder_of_steps(const HiddenOptions& options, const std::string& algorithm) {
+    return options.algorithms.size() < 2 ? options.steps : options.steps / algorithm;
+}
 
 Command add_hidden(CLI::App& app) {
     CLI::App* command =

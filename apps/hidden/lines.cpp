@@ -20,24 +20,46 @@ namespace hs = hiddensurface;
 
 namespace {
 
-std::string text_of(const hs::LineAlgorithm& algorithm, const hs::LineCounts& counts, Form form) {
-    auto json = nlohmann::ordered_json::object();
-    std::string text = fmt::format("{:<12} {:>16}\n", "", algorithm.name), names = "algorithm",
-                values = algorithm.name;
+struct Drawn {
+    const hs::LineAlgorithm* algorithm = nullptr;
+    hs::LineResult result;
+    hs::StepLog log;
+};
+
+/// A column for each algorithm.
+std::string table_of(const std::vector<Drawn>& all) {
+    std::string text = fmt::format("{:<12}", "");
+    for (const Drawn& run : all) text += fmt::format(" {:>16}", run.algorithm->name);
     for (const auto& [name, count] : hs::line_count_names()) {
-        text += fmt::format("{:<12} {:>16}\n", name, counts.*count);
-        names += std::string(",") + name;
-        values += fmt::format(",{}", counts.*count);
-        json[name] = counts.*count;
+        text += fmt::format("\n{:<12}", name);
+        for (const Drawn& run : all) text += fmt::format(" {:>16}", run.result.counts.*count);
     }
-    if (form == Form::Csv) return names + "\n" + values + "\n";
-    if (form == Form::Text) return text;
-    return nlohmann::ordered_json::array({{{"algorithm", algorithm.name},
-                                           {"title", algorithm.title},
-                                           {"claim", algorithm.claim},
-                                           {"counts", json}}})
-               .dump(2) +
-           "\n";
+    return text + "\n";
+}
+
+std::string csv_of(const std::vector<Drawn>& all) {
+    std::string text = "algorithm";
+    for (const auto& [name, count] : hs::line_count_names()) text += std::string(",") + name;
+    for (const Drawn& run : all) {
+        text += "\n" + run.algorithm->name;
+        for (const auto& [name, count] : hs::line_count_names())
+            text += fmt::format(",{}", run.result.counts.*count);
+    }
+    return text + "\n";
+}
+
+std::string json_of(const std::vector<Drawn>& all) {
+    auto list = nlohmann::ordered_json::array();
+    for (const Drawn& run : all) {
+        auto counts = nlohmann::ordered_json::object();
+        for (const auto& [name, count] : hs::line_count_names())
+            counts[name] = run.result.counts.*count;
+        list.push_back({{"algorithm", run.algorithm->name},
+                        {"title", run.algorithm->title},
+                        {"claim", run.algorithm->claim},
+                        {"counts", counts}});
+    }
+    return list.dump(2) + "\n";
 }
 
 image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, bool difference) {
@@ -51,19 +73,41 @@ image::Picture picture_of(const hs::Input& input, const hs::LineResult& result, 
     return picture;
 }
 
-void put_line_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
-                    const hs::LineAlgorithm& algorithm, const hs::LineResult& result,
-                    const std::vector<hs::Step>& steps) {
-    const auto& folder = options.steps;
-    const hs::LogSubject subject{.algorithm = algorithm.name,
-                                 .title = algorithm.title,
+/// Returns the log for the player.
+std::string put_line_steps(image::OutputSet& output, const std::filesystem::path& folder,
+                           const hs::Input& input, const Drawn& run) {
+    const std::vector<hs::Step>& steps = run.log.steps();
+    const hs::LogSubject subject{.algorithm = run.algorithm->name,
+                                 .title = run.algorithm->title,
                                  .lines = true,
-                                 .level = options.level};
-    put_log(output, folder,
-            log_text(input, subject, steps, hs::log_end(steps.size(), result.counts)));
-    image::put_picture(output.add(folder / "picture.png"), picture_of(input, result, false));
-    image::put_picture(output.add(folder / "difference.png"), picture_of(input, result, true));
-    output.add(folder / "lines.svg").write_text(hs::lines_svg(input, result.lines));
+                                 .level = run.log.finest()};
+    std::string log = log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts));
+    output.add(folder / "steps.jsonl").write_text(log);
+    image::put_picture(output.add(folder / "picture.png"), picture_of(input, run.result, false));
+    image::put_picture(output.add(folder / "difference.png"), picture_of(input, run.result, true));
+    output.add(folder / "lines.svg").write_text(hs::lines_svg(input, run.result.lines));
+    return log;
+}
+
+void put_all_steps(image::OutputSet& output, const HiddenOptions& options, const hs::Input& input,
+                   const std::vector<Drawn>& all) {
+    std::vector<std::string> logs;
+    for (const Drawn& run : all)
+        logs.push_back(
+            put_line_steps(output, folder_of_steps(options, run.algorithm->name), input, run));
+    put_player(output, options.steps, logs);
+}
+
+/// Throws Error if one of them would take too long.
+std::vector<const hs::LineAlgorithm*> wanted(const HiddenOptions& options, const hs::Input& input) {
+    std::vector<const hs::LineAlgorithm*> all;
+    for (const std::string& name : options.algorithms) {
+        all.push_back(hs::line_algorithm_named(name));
+        const hs::Estimate estimate = hs::estimate(*all.back(), input);
+        if (hs::is_beyond(estimate, options.limit))
+            throw Error(hs::text_of(estimate) + "; --limit 0 to try");
+    }
+    return all;
 }
 
 }  // namespace
@@ -73,24 +117,28 @@ int hidden_lines(const HiddenOptions& options, Session& session) {
     const Profile profile = load_profile(options.picture, session);
     const scene::Scene scene = load_scene(options.picture, session);
     image::OutputSet output(session.inputs);
-    if (!options.steps.empty()) output.make_folder(options.steps);
+    make_folders(output, options);
     const scene::View view =
         scene::make_view(scene, options.picture.size.width, options.picture.size.height);
     const auto machine = make_machine(options.picture, profile, session);
     const hs::Input input = hs::make_input(scene, view, profile);
-    const hs::LineAlgorithm& algorithm = *hs::line_algorithm_named(options.algorithm);
-    if (const hs::Estimate estimate = hs::estimate(algorithm, input);
-        hs::is_beyond(estimate, options.limit))
-        throw Error(hs::text_of(estimate) + "; --limit 0 to try");
-    hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
-    progress.at(algorithm.name);
-    const hs::LineResult result = hs::run_on(*machine, algorithm, input, log);
+    progress.at("estimating");
+    std::vector<Drawn> all;
+    for (const hs::LineAlgorithm* algorithm : wanted(options, input)) {
+        progress.at(algorithm->name);
+        hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
+        hs::LineResult result = hs::run_on(*machine, *algorithm, input, log);
+        all.push_back({algorithm, std::move(result), std::move(log)});
+    }
     progress.at("writing");
-    if (!options.steps.empty())
-        put_line_steps(output, options, input, algorithm, result, log.steps());
-    if (!options.steps.empty()) put_index(output, options.steps, session);
+    if (!options.steps.empty()) {
+        put_all_steps(output, options, input, all);
+        put_index(output, options.steps, session);
+    }
     output.commit();
-    print(text_of(algorithm, result.counts, options.form));
+    print(options.form == Form::Json  ? json_of(all)
+          : options.form == Form::Csv ? csv_of(all)
+                                      : table_of(all));
     return Done;
 }
 

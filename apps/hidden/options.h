@@ -3,6 +3,7 @@
 
 #include "apps/render/picture_options.h"
 #include "hiddensurface/run/steps.h"
+#include "image/output/output_set.h"
 
 namespace gw::apps {
 
@@ -10,8 +11,9 @@ enum class Form { Text, Json, Csv };
 
 struct HiddenOptions {
     PictureOptions picture{.size = {320, 240}};
-    std::string algorithm;  ///< empty: all hidden-surface algorithms
-    double limit = 300;     ///< the longest estimated time of a run in seconds; 0: none
+    /// Of surfaces or of lines: one, or two side by side; empty: all hidden-surface algorithms.
+    std::vector<std::string> algorithms;
+    double limit = 300;  ///< the longest estimated time of a run in seconds; 0: none
     std::filesystem::path steps, compare;
     hiddensurface::Level level = hiddensurface::Level::Polygon;
     Form form = Form::Text;
@@ -27,7 +29,12 @@ struct HiddenOptions {
     std::filesystem::path truth, marked;       ///< files to write: the correct list, the mistakes
 };
 
-/// Draws with a hidden-line algorithm, with counts and steps (lines.cpp).
+/// Creates the folders of steps and comparison, so that a bad name is found early.
+void make_folders(image::OutputSet& output, const HiddenOptions& options);
+/// The folder of an algorithm's steps: of two, each has its own.
+std::filesystem::path folder_of_steps(const HiddenOptions& options, const std::string& algorithm);
+
+/// Draws with hidden-line algorithms, with counts and steps (lines.cpp).
 int hidden_lines(const HiddenOptions& options, Session& session);
 
 /// Writes the polygons for a program (play.cpp).

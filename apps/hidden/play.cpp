@@ -92,11 +92,12 @@ int hidden_play(const HiddenOptions& options, Session& session) {
     hs::StepLog none, log(play.level);
     const auto expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none).ids;
     const hs::Algorithm algorithm = hs::played(std::move(play));
-    Compared run{&algorithm, hs::run_on(*machine, algorithm, input, log)};
-    hs::compare(run.result, expected, input);
+    hs::Result result = hs::run_on(*machine, algorithm, input, log);
+    hs::compare(result, expected, input);
+    const Compared run{&algorithm, std::move(result), std::move(log)};
     progress.at("writing");
     if (!options.steps.empty()) {
-        put_steps(output, options.steps, input, run, log);
+        put_player(output, options.steps, {put_steps(output, options.steps, input, run)});
         put_index(output, options.steps, session);
     }
     output.commit();

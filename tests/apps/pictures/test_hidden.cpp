@@ -122,6 +122,30 @@ TEST_F(Hidden, WritesStepsThatEndWithThePicture) {
     EXPECT_GT(lines, 4);
 }
 
+TEST_F(Hidden, WritesTwoAlgorithmsIntoOnePlayer) {
+    for (const std::vector<std::string>& two :
+         {std::vector<std::string>{"newell", "z-buffer"}, {"roberts", "appel"}}) {
+        const std::string list = two[0] + "," + two[1], folder = two[0];
+        const Outcome outcome = hidden({"--algorithm", list, "--steps", folder, "--csv"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("\n" + two[0] + ","), std::string::npos) << outcome.out;
+        EXPECT_NE(outcome.out.find("\n" + two[1] + ","), std::string::npos) << outcome.out;
+        EXPECT_EQ(without_player(names(folder)),
+                  (std::vector<std::string>{two[1] < two[0] ? two[1] : two[0], "index.html",
+                                            "index.json", two[1] < two[0] ? two[0] : two[1]}));
+        std::string logs;
+        for (const std::string& name : two)
+            logs += bytes_of(in(folder + "/" + name + "/steps.jsonl")).substr(0, 60);
+        EXPECT_NE(logs.find("\"algorithm\":\"" + two[0]), std::string::npos) << logs;
+        EXPECT_NE(logs.find("\"algorithm\":\"" + two[1]), std::string::npos) << logs;
+        if (embedded_page("player.html").empty()) continue;
+        const std::string page = bytes_of(in(folder + "/player.html")), mark = "class=\"data\"";
+        const std::size_t first = page.find(mark);
+        ASSERT_NE(first, page.npos);
+        EXPECT_NE(page.find(mark, first + 1), page.npos);
+    }
+}
+
 TEST_F(Hidden, WritesAComparisonOfAll) {
     const Outcome outcome = hidden({"--compare", "c"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -183,6 +207,10 @@ TEST_F(Hidden, RefusesWhatMakesNoSense) {
     expect_refused(2, {"hidden", cycle, "--algorithm", "quicksort"},
                    {"--algorithm 'quicksort'", "newell", "bsp"});
     expect_refused(2, {"hidden", cycle, "--steps", "s"}, {"--steps", "--algorithm NAME"});
+    expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,"}, {"--algorithm ''"});
+    expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,quake,newell"}, {"3 names"});
+    expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,bsp"}, {"one name twice"});
+    expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,appel"}, {"two of a kind"});
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp", "--compare", "c"}, {"--compare"});
     expect_refused(2, {"hidden", cycle, "--level", "atom"}, {"--level 'atom'", "polygon"});
     expect_refused(1, {"hidden", "none.toml"}, {"none.toml"});
