@@ -68,14 +68,14 @@ std::optional<Question> ask_order(QuizRandom& random) {
     q.text = {
         "The polygons are painted one over the other, the first of the order first. Which of these orders "
         "gives the picture?",
-        "多角形を、並べた順に重ねて塗ります。図のとおりになるのはどの順ですか。"};
+        "ポリゴンを、並べた順に重ねて塗ります。図のとおりになるのはどの順ですか。"};
     q.answer = std::string(1, char('a' + place));
     q.why = {
         "Painted in the order " + chosen +
             " no polygon covers one that lies before it; the other orders differ from the "
             "Z-buffer's picture in 150 pixels or more.",
         chosen +
-            " の順に塗れば、手前の多角形が後から塗りつぶされることはありません。ほかの順では、Z "
+            " の順に塗れば、手前のポリゴンが後から塗りつぶされることはありません。ほかの順では、Z "
             "バッファの画像と 150 画素以上が異なります。"};
     q.decided = {.algorithm = "newell", .step = context.steps("newell", Level::Polygon).size()};
     return q;
@@ -112,8 +112,8 @@ std::optional<Question> ask_test(QuizRandom& random) {
                 "The tests are asked in this order; name the first that says yes.",
                 first, second),
             fmt::format(
-                "多角形 {} が最も遠くまで届きます。これを多角形 {} "
-                "より先に描いてよいことは、ニューウェルのどの判定で分かりますか。判定はこの順に行い"
+                "ポリゴン {} が最も遠くまで届きます。これをポリゴン {} "
+                "より先に描いてよいことは、Newell のどの判定で分かりますか。判定はこの順に行い"
                 "ます。最初に「はい」となるものを選びなさい。",
                 first, second)};
         q.choices = {{"1: their x extents are disjoint", "1: x の範囲が重ならない"},
@@ -151,7 +151,7 @@ std::optional<Question> ask_pieces(QuizRandom& random) {
     q.text = {
         "Newell, Newell and Sancha's algorithm draws these three triangles, cutting one by the plane of "
         "another only if neither may be drawn first. How many pieces does it draw? Answer with a number.",
-        "ニューウェル、ニューウェル、サンチャのアルゴリズムで、この三つの三角形を描きます。どちらも先に描けない"
+        "Newell、Newell、Sancha のアルゴリズムで、この三つの三角形を描きます。どちらも先に描けない"
         "ときだけ、一方を他方の平面で切ります。全部でいくつの部分を描きますか。数で答えなさい。"};
     q.answer = std::to_string(newell.pieces.size());
     q.why = {fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits),

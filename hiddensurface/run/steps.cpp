@@ -28,8 +28,8 @@ void StepLog::add(Step step) {
     if (!wants(step.level) && !(on_ && step.action == Action::Draw)) return;
     if (steps_.size() == most_steps)
         throw Error(
-            "the log has more than 2,000,000 steps; expected a smaller --size or a coarser "
-            "--level");
+            "the log has more than 2,000,000 steps; expected fewer polygons, a smaller --size or a "
+            "coarser --level");
     for (WatchedCount& watched : watched_)
         if (const std::uint64_t now = *watched.count; now != watched.last) {
             step.counts.emplace_back(watched.name, now);

@@ -32,10 +32,10 @@ ol { list-style: lower-alpha; margin: 0 0 2mm; padding-left: 6mm }
 /// A kind's name for people.
 hs::Bilingual title_of(const std::string& kind) {
     if (kind == "order") return {"Painting order", "描く順"};
-    if (kind == "test") return {"Newell's tests", "ニューウェルの判定"};
-    if (kind == "pieces") return {"Cut polygons", "多角形の分割"};
-    if (kind == "facing") return {"Back faces", "後ろ向きの面"};
-    if (kind == "writes") return {"Z-buffer", "Z バッファ"};
+    if (kind == "test") return {"Newell's tests", "Newell の判定"};
+    if (kind == "pieces") return {"Cut polygons", "ポリゴンの分割"};
+    if (kind == "facing") return {"Back faces", "裏を向いた面"};
+    if (kind == "writes") return {"Z-buffer", "Zバッファ"};
     if (kind == "spans") return {"Scan line", "走査線"};
     return {"Quantitative invisibility", "不可視度"};
 }
