@@ -126,6 +126,11 @@ public:
 
 private:
     void read_header(const Json& json) {
+        if (json["log"] != log_name)
+            throw Error(fmt::format("a header of another log; expected '{}'", log_name));
+        const auto version = json.find("version");
+        if (version == json.end() || *version != log_version)
+            throw Error(fmt::format("a log of another version; expected {}", log_version));
         const Json size{input_.view.width, input_.view.height};
         const auto found = json.find("size");
         if (found == json.end() || *found != size)

@@ -159,8 +159,8 @@ std::string to_json(const Step& step, std::size_t number, const PictureGrid& gri
 std::string log_header(const Input& input, const LogSubject& subject,
                        const std::map<std::uint32_t, std::string>& colors) {
     const auto background = colors.find(0);
-    Json json{{"log", "gw hidden steps"},
-              {"version", 1},
+    Json json{{"log", log_name},
+              {"version", log_version},
               {"algorithm", subject.algorithm},
               {"title", subject.title},
               {"draws", subject.lines ? "lines" : "surfaces"},

@@ -10,6 +10,10 @@
 
 namespace gw::hiddensurface {
 
+/// In the first line of a log.
+inline constexpr const char* log_name = "gw hidden steps";
+inline constexpr int log_version = 1;
+
 /// From the machine's window grid, whose y counts upwards.
 struct PictureGrid {
     int height = 0, unit = 8;  ///< pixels; grid units of a pixel

@@ -191,7 +191,10 @@ TEST(Play, RefusesABadLineByItsNumber) {
         {R"({"kind":"draw","pieces":["1"],"counts":{"wrong":0}})", "unknown counter 'wrong'"},
         {R"({"kind":"draw","pieces":["1"],"counts":{"keys":-1}})", "expected a whole number"},
         {R"({"kind":"compare","test":"facing","result":"back"})", "has no value 'D_f'; expected"},
-        {R"({"log":"gw hidden steps","size":[32,24]})", "another size; expected 64x48"},
+        {R"({"log":"gw hidden steps","version":1,"size":[32,24]})", "another size; expected 64x48"},
+        {R"({"log":"gw hidden steps","version":2,"size":[64,48]})", "another version; expected 1"},
+        {R"({"log":"gw hidden steps","size":[64,48]})", "another version; expected 1"},
+        {R"({"log":"other","version":1,"size":[64,48]})", "expected 'gw hidden steps'"},
         {R"({"end":7,"counts":{}})", "another number of steps; expected 1"},
     };
     for (const auto& [line, message] : all) {
@@ -201,7 +204,7 @@ TEST(Play, RefusesABadLineByItsNumber) {
         EXPECT_LT(error.size(), 300u) << error;
     }
     EXPECT_NE(error_of(trial, "").find("no step; expected"), std::string::npos);
-    const std::string whole = R"({"log":"gw hidden steps","size":[64,48]})"
+    const std::string whole = R"({"log":"gw hidden steps","version":1,"size":[64,48]})"
                               "\n" +
                               good;
     EXPECT_NE(error_of(trial, whole).find("has no end; expected"), std::string::npos);
