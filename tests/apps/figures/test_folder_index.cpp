@@ -56,7 +56,7 @@ TEST_F(Index, ComponentsPlanesAndStepsHaveOneEach) {
         gw({"hidden", "lamps.toml", "--algorithm", "newell", "--steps", "steps", "--size", "16x16"})
             .code,
         0);
-    EXPECT_TRUE(contains(page("steps"), "src=\"steps.gif\""));
+    EXPECT_TRUE(contains(page("steps"), "href=\"player.html\""));
     EXPECT_FALSE(fs::exists(in("index.html")));
 }
 
