@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/base/types.h"
+#include "gw/profile.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -10,8 +11,24 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <array>
+#include <type_traits>
 
 namespace pybind11::detail {
+
+/// An enumeration or a profile: a wrong name raises the error of its class, which lists the names,
+/// and not that of the called function, which lists its arguments.
+template <class Named>
+struct named_caster : type_caster_base<Named> {
+    bool load(handle source, bool convert) {
+        if (type_caster_base<Named>::load(source, convert)) return true;
+        if (convert && source && isinstance<str>(source)) type::of<Named>()(source);
+        return false;
+    }
+};
+template <>
+struct type_caster<gw::Profile> : named_caster<gw::Profile> {};
+template <class Enum>
+struct type_caster<Enum, std::enable_if_t<std::is_enum_v<Enum>>> : named_caster<Enum> {};
 
 /// A vector: from any sequence of as many numbers, to a tuple.
 template <class Vector, class Number, int size>

@@ -25,6 +25,9 @@ void set_fields(const py::object& object, const py::kwargs& values) {
         try {
             object.attr(key) = value;
         } catch (py::error_already_set& error) {
+            if (error.type().ptr() == PyExc_ValueError)  // a name that an enumeration lacks
+                throw py::value_error(
+                    py::str("{}.{}: {}").format(type.attr("__name__"), key, error.value()));
             if (!error.matches(PyExc_TypeError)) throw;
             throw py::type_error(
                 py::str("{}.{}: got {!r}; expected {}")

@@ -68,6 +68,9 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.make_shape("kettle"), "no shape 'kettle'; expected one of bottle"),
     (lambda: gw.make_shape("vase", slice=3), "vase has no 'slice'; expected slices, segments"),
     (lambda: gw.Machine("vgx", 10**5, 10**5), "expected"),
+    (lambda: gw.Machine("indigo", 8, 8), "unknown profile 'indigo'; expected vgx, reality"),
+    (lambda: gw.render(scene_with(), 8, 8, profile="vgx,bits=3"), "^[^\\n]*bits[^\\n]*$"),
+    (lambda: gw.Mesh("Squares", [[0, 0, 0]]), "Primitive has no 'Squares'; expected Points, Lines"),
     (lambda: gw.Machine(threads=10**6), "threads: 1000000; expected 0 .. 1024"),
     (lambda: gw.Renderer(scene_with(), samples=0), "samples: 0; expected 1 .. 32768"),
     (lambda: gw.Renderer(scene_with(), depth=-1), "depth: -1; expected 1 .. 64"),
@@ -78,5 +81,5 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.hidden.run(scene_with(), "newell").sentence(0, "fr"), "language: 'fr'; expected en or ja"),
 ])
 def test_wrong_values_are_named_with_their_limits(wrong, message):
-    with pytest.raises((gw.Error, TypeError), match=message):
+    with pytest.raises((ValueError, TypeError), match=message):
         wrong()
