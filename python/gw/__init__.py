@@ -9,6 +9,11 @@
 
 Rows count from the bottom, as in OpenGL; a picture turns them. docs/python.md is the guide.
 """
+from pkgutil import extend_path
+
+# flatc puts the modules of recording.fbs into gw.gwt, in another folder.
+__path__ = extend_path(__path__, __name__)
+
 from ._gw import *
 from ._gw import Error as Error
 from . import hidden as hidden
