@@ -13,7 +13,7 @@ namespace {
 
 std::string text_of(bool value) { return value ? "1" : "0"; }
 std::string text_of(std::int64_t value) { return std::to_string(value); }
-/// Six digits, of large numbers all whole ones: as web/model/sentence.ts.
+/// Six digits, of large numbers all whole ones: as web/model/steps/sentence.ts.
 std::string text_of(double value) {
     const bool large = std::abs(value) >= 1e5 && std::abs(value) < 1e15;
     return large ? fmt::format("{:.0f}", std::round(value)) : fmt::format("{:.6g}", value);

@@ -1,6 +1,6 @@
 // The lab's state in the address: the page's own, and what the machine is asked for.
 import { fromAddress, toAddress, type PageState } from '../model/address';
-import type { Point } from '../model/log';
+import type { Point } from '../model/steps/log';
 import { numbersFrom, type Settings } from '../model/settings';
 import { grid, pixelChoicesFrom, putPixel, type PixelChoices } from './pixel_state';
 import { putRadiosity, radiosityFrom, type RadiosityState } from './radiosity_state';

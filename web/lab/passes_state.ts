@@ -1,5 +1,5 @@
 // The state of the exhibit of passes in the address.
-import type { Point } from '../model/log';
+import type { Point } from '../model/steps/log';
 
 export interface PassesState {
   samples: number;

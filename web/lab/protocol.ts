@@ -1,5 +1,5 @@
 // What the page asks the worker, and what it answers.
-import type { Point } from '../model/log';
+import type { Point } from '../model/steps/log';
 import type { LightChange } from './radiosity_state';
 
 export interface View {

@@ -1,5 +1,5 @@
 // The state of the exhibit of the item buffer and rays in the address.
-import type { Point } from '../model/log';
+import type { Point } from '../model/steps/log';
 
 export type Corner = readonly [number, number];
 export interface RaysState {

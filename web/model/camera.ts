@@ -1,6 +1,6 @@
 // From the window's grid and the world to the camera's space: x to the right, y upwards, z away from
 // the eye, in world units. For the views from above and from the side. Does not draw.
-import type { Header, Loop, Plane, Point } from './log';
+import type { Header, Loop, Plane, Point } from './steps/log';
 
 export const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 export const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

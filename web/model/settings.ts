@@ -1,6 +1,6 @@
 // What all pages let their reader choose, and its place in the address. Does not touch the page:
 // PageHeader.svelte does.
-import type { Language } from './log';
+import type { Language } from './steps/log';
 import type { Palette } from './palette';
 
 export interface Settings {

@@ -1,6 +1,6 @@
 // Starts the page with the logs that stand in it. Without any, the page asks for a file.
 import { mount } from 'svelte';
-import { readLog, type Log } from '../model/log';
+import { readLog, type Log } from '../model/steps/log';
 import { takeData, unpackedPieces } from '../model/packed';
 import App from './App.svelte';
 

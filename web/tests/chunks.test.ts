@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest';
-import { Chunks } from '../model/chunks';
-import type { Step } from '../model/log';
-import { countBelow } from '../model/search';
-import { sideAt, sidesOf } from '../model/tree';
-import { rejectedOf, windowsOf } from '../model/windows';
+import { Chunks } from '../model/steps/chunks';
+import type { Step } from '../model/steps/log';
+import { countBelow } from '../model/steps/search';
+import { sideAt, sidesOf } from '../model/steps/tree';
+import { rejectedOf, windowsOf } from '../model/steps/windows';
 
 const step = (i: number, more: Partial<Step>): Step => ({
   step: i + 1,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { LogError, parseLog, polygonOf } from '../model/log';
+import { LogError, parseLog, polygonOf } from '../model/steps/log';
 import { text } from './sample';
 
 describe('parseLog', () => {

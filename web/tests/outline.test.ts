@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import type { Loop } from '../model/log';
-import { whole } from '../model/outline';
+import type { Loop } from '../model/steps/log';
+import { whole } from '../model/steps/outline';
 
 const a = [0, 0, 1] as const;
 const b = [8, 0, 2] as const;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { parseLog, type Log, type Step } from '../model/log';
-import { nextWhere, Replay, touches } from '../model/replay';
+import { parseLog, type Log, type Step } from '../model/steps/log';
+import { nextWhere, Replay, touches } from '../model/steps/replay';
 import { header, text } from './sample';
 
 /** Many steps that paint runs, by a fixed sequence. */

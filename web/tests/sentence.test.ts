@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { general, sentence, textOf } from '../model/sentence';
+import { general, sentence, textOf } from '../model/steps/sentence';
 import { header, steps } from './sample';
 
 it('writes numbers with six digits, large ones whole', () => {

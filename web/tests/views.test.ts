@@ -1,14 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../model/address';
 import { Camera, depthAt, planeThrough } from '../model/camera';
-import { spread, type Label } from '../model/labels';
-import { pathsOf } from '../model/lines';
-import { parseLog, type Step } from '../model/log';
+import { spread, type Label } from '../model/steps/labels';
+import { pathsOf } from '../model/steps/lines';
+import { parseLog, type Step } from '../model/steps/log';
 import { defaultSettings } from '../model/settings';
 import { inkOn } from '../model/palette';
-import { crossings, depthOfPixel, segmentsOfRow } from '../model/scan_line';
-import { placed, treeOf } from '../model/tree';
-import { bestView, viewsOf } from '../model/views';
+import { crossings, depthOfPixel, segmentsOfRow } from '../model/steps/scan_line';
+import { placed, treeOf } from '../model/steps/tree';
+import { bestView, viewsOf } from '../model/steps/views';
 import { header, text } from './sample';
 
 describe('Camera', () => {

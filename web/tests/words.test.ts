@@ -4,7 +4,11 @@ import { en } from '../words/en';
 import { ja } from '../words/ja';
 
 const sources = ['components', 'compare', 'lab', 'model', 'player', 'report']
-  .flatMap((folder) => readdirSync(folder).map((name) => `${folder}/${name}`))
+  .flatMap((folder) =>
+    readdirSync(folder, { recursive: true, encoding: 'utf8' })
+      .filter((name) => /\.(ts|svelte)$/.test(name))
+      .map((name) => `${folder}/${name}`),
+  )
   .map((path) => readFileSync(path, 'utf8'))
   .join('\n');
 

@@ -188,12 +188,19 @@ describe('the lab makes the step log of gw hidden', () => {
 });
 
 describe('the lab leaves the light of gw radiosity', () => {
+  const change = (object: string, what: 'Kd' | 'move', value: number[]) => ({
+    after: 2,
+    object,
+    what,
+    value,
+  });
   it.each([
-    ['cornell', 32, 3, []],
-    ['cornell', 64, 2, [{ after: 2, object: 'left_wall', what: 'Kd', value: [0.1, 0.2, 0.9] }]],
-    ['cornell', 32, 2, [{ after: 2, object: 'short_block', what: 'move', value: [-0.2, 0, 0] }]],
-    ['sphere', 32, 4, []],
-  ] as const)('%s, hemicube %i, %i shots, changes %j', async (scene, hemicube, shots, changes) => {
+    ['cornell', 32, 3, false, []],
+    ['cornell', 64, 2, false, [change('left_wall', 'Kd', [0.1, 0.2, 0.9])]],
+    ['cornell', 32, 2, true, [change('short_block', 'move', [-0.2, 0, 0])]],
+    ['sphere', 32, 4, false, []],
+  ] as const)('%s, hemicube %i, %i shots, as many again: %s, changes %j', async (...row) => {
+    const [scene, hemicube, shots, again, changes] = row;
     const words = changes.flatMap((c) => [
       '--change',
       `${c.object}:${c.what}=${c.value.join(',')}`,
@@ -201,8 +208,8 @@ describe('the lab leaves the light of gw radiosity', () => {
     execFileSync(gw, [
       ...['radiosity', `${scenes}/radiosity/${scene}.toml`, '-o', join(folder, 'light')],
       ...['--hemicube', String(hemicube), '--shots', String(shots), '--size', '64x48'],
-      // No more shots after the change.
-      ...['--until', '1', '--gamma', '2.2', '--quiet', ...words],
+      // After the change as many shots again, or none.
+      ...['--until', again ? '0.01' : '1', '--gamma', '2.2', '--quiet', ...words],
     ]);
     const ours = await thePage().evaluate(
       async (path, light) => {
@@ -214,7 +221,7 @@ describe('the lab leaves the light of gw radiosity', () => {
         return [...(await machine.ask('lit', { ...view, ...tone }))];
       },
       `/scenes/radiosity/${scene}.toml`,
-      { width: 64, height: 48, hemicube, shots, changes: [...changes] },
+      { width: 64, height: 48, hemicube, shots: again ? 2 * shots : shots, changes: [...changes] },
     );
     const name = changes.length > 0 ? 'changed.png' : 'picture.png';
     const theirs = [...decode(readFileSync(join(folder, 'light', name))).data];
