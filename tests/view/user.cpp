@@ -166,7 +166,12 @@ int main(int count, char** arguments) {
     Display* const display = XOpenDisplay(nullptr);
     if (display == nullptr) give_up("no display");
     // A window that was listed may be gone when it is asked for its name.
-    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    XSetErrorHandler([](Display*, XErrorEvent* error) {
+        if (error->error_code == BadWindow || error->error_code == BadDrawable ||
+            error->error_code == BadMatch)
+            return 0;
+        give_up("X error " + std::to_string(error->error_code));
+    });
     const User user(display);
     look_around(user, arguments[1]);
     XSync(display, False);
