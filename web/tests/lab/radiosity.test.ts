@@ -61,7 +61,7 @@ it('shoots, goes back, and shows the hemicube of each shot', async () => {
 
 it('plays, and stops where it is', async () => {
   await begin('&shots=0');
-  await thePage().click('button.play');
+  await (await thePage().waitForSelector('button.play'))!.click();
   await thePage().waitForFunction(() => Number(/shots=(\d+)/.exec(location.hash)?.[1] ?? 0) >= 3);
   await thePage().click('button.stop');
   await thePage().waitForSelector('button.play');
