@@ -102,4 +102,12 @@ struct PixmapModel {
     std::size_t texel_count() const { return area.size(); }
 };
 
+/// visit(number) of each texel.
+template <class Visit>
+void for_each_texel(const PixmapModel& model, const Patch& patch, Visit visit) {
+    const Pixmap& pixmap = model.pixmaps[patch.pixmap];
+    for (int y = patch.y; y < patch.y + patch.height; ++y)
+        for (int x = patch.x; x < patch.x + patch.width; ++x) visit(pixmap.texel(x, y));
+}
+
 }  // namespace gw::radiosity

@@ -13,13 +13,6 @@ void add(dvec3& stored, const dvec3& more) {
     for (int c = 0; c < 3; ++c) stored[c] = storable(stored[c] + more[c]);
 }
 
-template <class Visit>
-void for_each_texel(const PixmapModel& model, const Patch& patch, Visit visit) {
-    const Pixmap& pixmap = model.pixmaps[patch.pixmap];
-    for (int y = patch.y; y < patch.y + patch.height; ++y)
-        for (int x = patch.x; x < patch.x + patch.width; ++x) visit(pixmap.texel(x, y));
-}
-
 }  // namespace
 
 Solver::Solver(PixmapModel model, const SolverOptions& options)

@@ -66,7 +66,8 @@ public:
     /// figures moved: only the difference is shot [F4]. The pixmaps must be the same in number and
     /// size. After a move the light of a patch is sent anew if it met the moved figure. Patches
     /// whose part in this is, all together, below `tolerance` of the emitted energy are left as
-    /// they are. If that takes about as many hemicubes as all lit patches do, the solution begins again.
+    /// they are. The solution begins again if that draws about as many hemicubes as all lit patches
+    /// do, or if a large difference would be sent with form factors that are not kept.
     /// Throws Error for another scene or one in which nothing emits. Throws Canceled as shoot does;
     /// then the model is the new one, and some light is still where it fell before.
     Update update(PixmapModel model, double tolerance = 0.002);
@@ -77,6 +78,7 @@ private:
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;
     void change_materials(const PixmapModel& to);
+    bool is_less_to_begin_again(double least) const;
 
     struct Affected;
     Update move(PixmapModel to, double tolerance);

@@ -47,6 +47,9 @@ std::vector<const Facet*> moved_facets(const PixmapModel& a, const PixmapModel& 
 /// A difference that takes more hemicubes than this part of all is not sent: other patches shoot
 /// after it, and then it would take more than a solution from the beginning.
 constexpr double most_of_anew = 0.9;
+/// Differences of materials that are not sent either if form factors have to be drawn: in parts of
+/// the emitted light, and of the hemicubes for all light.
+constexpr double most_difference = 0.5, most_of_spread = 0.8;
 /// Sums of float32 pairs: a patch that never shot seems to have sent less than this part of all.
 constexpr double rounding = 1e-9;
 
@@ -63,16 +66,19 @@ Update Solver::update(PixmapModel to, double tolerance) {
             "the changed scene has other figures or pixmaps; expected the same, moved or of "
             "other materials");
     check_emission(to);
+    const double left = magnitude(books(*model_, solution_).unshot_size);
     change_materials(to);
-    if (moved_facets(*model_, to).empty()) {
-        // Form factors stay; only values that depend on materials are new.
-        for (std::size_t p = 0; p < to.patches.size(); ++p) {
-            if (model_->patches[p].emits != to.patches[p].emits) rows_.drop(p);
-            model_->patches[p].emits = to.patches[p].emits;
-        }
-        return {};
+    if (!moved_facets(*model_, to).empty()) return move(std::move(to), tolerance);
+    // Form factors stay; only values that depend on materials are new.
+    for (std::size_t p = 0; p < to.patches.size(); ++p) {
+        if (model_->patches[p].emits != to.patches[p].emits) rows_.drop(p);
+        model_->patches[p].emits = to.patches[p].emits;
     }
-    return move(std::move(to), tolerance);
+    if (!is_less_to_begin_again(left)) return {};
+    const std::uint64_t shots = solution_.shots;
+    solution_ = initial_solution(*model_);
+    solution_.shots = shots;
+    return {.anew = true};
 }
 
 // B = E + rho H: its change has not been sent.
@@ -86,6 +92,54 @@ void Solver::change_materials(const PixmapModel& to) {
             solution_.unshot[t][c] = storable(solution_.unshot[t][c] + more[c]);
     }
     model_->figures = to.figures;
+}
+
+namespace {
+
+/// Light that a patch has to send, and the hemicubes for it.
+struct ToSend {
+    double flux = 0;
+    std::size_t hemicubes = 0;
+};
+
+/// Largest first, until the rest is `least`.
+std::size_t hemicubes_until(std::vector<ToSend> list, double least) {
+    double left = 0;
+    for (const ToSend& send : list) left += send.flux;
+    std::stable_sort(list.begin(), list.end(),
+                     [](const ToSend& a, const ToSend& b) { return a.flux > b.flux; });
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < list.size() && left > least; left -= list[i++].flux)
+        sum += list[i].hemicubes;
+    return sum;
+}
+
+}  // namespace
+
+// Compares hemicubes. If most form factors are kept, the difference needs next to none. Else light
+// that is sent twice counts: that of the difference, and after it that of its reflections. A
+// difference that is large, or spread over as many patches as all light, saves nothing.
+bool Solver::is_less_to_begin_again(double least) const {
+    std::vector<ToSend> difference, all;
+    std::size_t lit = 0, unknown = 0;
+    for (std::size_t p = 0; p < model_->patches.size(); ++p) {
+        dvec3 unshot(0), sent(0);
+        for_each_texel(*model_, model_->patches[p], [&](std::size_t t) {
+            unshot += model_->area[t] * solution_.unshot[t];
+            sent += model_->area[t] * radiosity_at(*model_, solution_, t);
+        });
+        const std::size_t hemicubes = hemicubes_of(*model_, p),
+                          more = rows_.find(p) ? 0 : hemicubes;
+        lit += hemicubes;
+        unknown += more;
+        difference.push_back({magnitude(unshot), more});
+        all.push_back({magnitude(sent), more});
+    }
+    if (2 * unknown <= lit) return false;
+    const Books now = books(*model_, solution_);
+    if (magnitude(now.unshot_size) - least > most_difference * magnitude(now.emitted)) return true;
+    return double(hemicubes_until(difference, least)) >
+           most_of_spread * double(hemicubes_until(all, least));
 }
 
 /// A patch whose light may go elsewhere after a move.
