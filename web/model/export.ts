@@ -42,6 +42,14 @@ export async function pngOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): 
   );
 }
 
+/** Two steps as typed, in any order, as a range within 0 .. last. Empty: the first and the last. */
+export function rangeOf(a: number | null, b: number | null, last: number): [number, number] {
+  const within = (step: number): number => Math.min(Math.max(Math.trunc(step), 0), last);
+  const first = within(a ?? 0);
+  const second = within(b ?? last);
+  return [Math.min(first, second), Math.max(first, second)];
+}
+
 /** `show` brings a step to the page and resolves when it is drawn. */
 export async function gifOf(
   from: number,
