@@ -11,6 +11,12 @@ namespace {
 /// A frame of more vertices is executed in parts.
 constexpr std::uint64_t largest_frame = 1u << 20;
 constexpr std::size_t most_commands = 1u << 16;
+constexpr std::size_t most_bytes = 1u << 28;  // of textures and pixels
+
+std::size_t pixel_bytes(const gw::DrawPixels& pixels) {
+    return pixels.colors.size() * sizeof(Rgba) + pixels.bits.size() +
+           (pixels.depths.size() + pixels.stencils.size()) * sizeof(std::uint32_t);
+}
 
 std::unique_ptr<FrameLog> log;
 
@@ -41,6 +47,7 @@ void Drawable::resize(int width, int height) {
     frame_ = {};
     frame_calls_.clear();
     frame_vertices_ = 0;
+    frame_bytes_ = 0;
     last_state_ = nullptr;
     frame_begins_ = true;
     if (log) log->open(*this);
@@ -54,13 +61,21 @@ void Drawable::add(Command command, std::span<const CallRun> calls) {
     }
     if (const auto* draw = std::get_if<Draw>(&command))
         frame_vertices_ += draw->mesh->vertex_count();
+    else if (const auto* pixels = std::get_if<gw::DrawPixels>(&command))
+        frame_bytes_ += pixel_bytes(*pixels);
     for (const CallRun& run : calls) {
         frame_calls_.push_back(run);
         frame_calls_.back().command = static_cast<std::uint32_t>(frame_.commands.size());
     }
     frame_.add(std::move(command));
-    if (frame_vertices_ >= largest_frame || frame_.commands.size() >= most_commands)
+    if (frame_vertices_ >= largest_frame || frame_.commands.size() >= most_commands ||
+        frame_bytes_ >= most_bytes)
         flush(Cause::Full);
+}
+
+void Drawable::hold(std::size_t bytes) {
+    const auto lock = exclusive();
+    frame_bytes_ += bytes;
 }
 
 void Drawable::end_frame() {
@@ -90,6 +105,7 @@ void Drawable::flush(Cause cause) {
     const CommandList list = std::exchange(frame_, {});
     const std::vector<CallRun> calls = std::exchange(frame_calls_, {});
     frame_vertices_ = 0;
+    frame_bytes_ = 0;
     machine_->execute(list);
     if (log) {
         Counters sum;

@@ -55,6 +55,9 @@ public:
     void add(Command command, std::span<const CallRun> calls = {});
     void set_state(const gw::State& state, std::span<const CallRun> calls = {});
 
+    /// Commands of the frame keep so much memory besides: textures that were made for it.
+    void hold(std::size_t bytes);
+
     /// Executes the commands so far. What follows belongs to the same frame.
     void flush(Cause cause);
     /// Flush and Finish: executes the commands, and shows what was drawn to the front buffer. That
@@ -100,6 +103,7 @@ private:
     CommandList frame_;
     std::vector<CallRun> frame_calls_;
     std::uint64_t frame_vertices_ = 0;
+    std::size_t frame_bytes_ = 0;  ///< of its textures and pixels
     std::uint64_t frames_ = 0;
     bool frame_begins_ = true;
     bool front_changed_ = false;

@@ -19,7 +19,7 @@ enum class Cause : std::uint8_t {
     Read,    ///< pixels are read
     Copy,    ///< pixels are copied
     Switch,  ///< the thread gets another context
-    Full,    ///< the frame has too many vertices or commands
+    Full,    ///< the frame has too many vertices, commands, or bytes of images
 };
 inline constexpr int cause_count = 6;
 

@@ -45,8 +45,17 @@ TextureRef enabled_texture(Context& c) {
     const auto& enable = c.state.texture.enable;
     if (!enable[0] && !enable[1]) return nullptr;
     const std::size_t target = enable[1] ? 1 : 0;
-    const auto lock = c.shared->exclusive();
-    return machine_texture(*c.textures.bound[target], target, c.profile);
+    TextureObject& object = *c.textures.bound[target];
+    TextureRef texture;
+    bool is_new = false;
+    {
+        const auto lock = c.shared->exclusive();
+        const gw::Texture* const before = object.made.get();
+        texture = machine_texture(object, target, c.profile);
+        is_new = texture && texture.get() != before;
+    }
+    if (is_new && c.drawable != nullptr) c.drawable->hold(byte_count(*texture));
+    return texture;
 }
 
 Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,

@@ -49,9 +49,7 @@ void restore_textures(Context& c, const SavedAttributes& saved) {
     for (std::size_t target = 0; target < texture_target_count; ++target) {
         const GLenum name = GL_TEXTURE_1D + GLenum(target);
         execute::bind_texture(c, name, saved.state.texture.bound[target]);
-        TextureObject& object = *c.textures.bound[target];
-        object.parameters = saved.textures[target];
-        object.changed = true;
+        c.textures.bound[target]->parameters = saved.textures[target];
     }
 }
 

@@ -50,10 +50,8 @@ namespace execute {
 void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& params) {
     const auto index = target_index(target);
     if (!index) return set_error(c, GL_INVALID_ENUM);
-    TextureObject& object = *c.textures.bound[*index];
-    TextureParameters& s = object.parameters;
+    TextureParameters& s = c.textures.bound[*index]->parameters;
     const GLenum token = params.token();
-    object.changed = true;
     switch (pname) {
         case GL_TEXTURE_MIN_FILTER: return set_filter(c, s.min_filter, token, is_min_filter(token));
         case GL_TEXTURE_MAG_FILTER:

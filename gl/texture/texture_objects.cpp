@@ -123,8 +123,10 @@ GLenum base_format(GLint internal_format) {
 }
 
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile) {
-    if (!object.changed) return object.made;
+    const bool with_levels = uses_levels(object.parameters);
+    if (!object.changed && object.made_with_levels == with_levels) return object.made;
     object.changed = false;
+    object.made_with_levels = with_levels;
     object.made = nullptr;
     const int count = complete_levels(object);
     if (count == 0) return nullptr;
@@ -146,6 +148,12 @@ TextureRef machine_texture(TextureObject& object, std::size_t target, const Prof
     }
     object.made = make_texture(std::move(texture));
     return object.made;
+}
+
+std::size_t byte_count(const Texture& texture) {
+    std::size_t values = 0;
+    for (const TextureLevel& level : texture.levels) values += level.rgba.size();
+    return values * sizeof(std::uint16_t);
 }
 
 }  // namespace gw::gl

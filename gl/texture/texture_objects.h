@@ -27,8 +27,9 @@ struct TextureImage {
 struct TextureObject {
     TextureParameters parameters;
     std::array<TextureImage, level_count> levels;
-    bool changed = true;  ///< since `made`
-    TextureRef made;      ///< null: not complete
+    bool changed = true;            ///< an image, since `made`
+    bool made_with_levels = false;  ///< for a filter that uses levels
+    TextureRef made;                ///< null: not complete
 };
 
 /// The index of a target: GL_TEXTURE_1D 0, GL_TEXTURE_2D 1.
@@ -56,7 +57,11 @@ struct BoundTextures {
 GLenum base_format(GLint internal_format);
 
 /// The machine's texture of an object, if its images fit each other and its filter; else null. A
-/// profile without the extension texture_formats gets the first level as RGBA.
+/// profile without the extension texture_formats gets the first level as RGBA. It stays the same
+/// texture until an image or the levels that the filter needs change.
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile);
+
+/// The memory of a texture's texels.
+std::size_t byte_count(const Texture& texture);
 
 }  // namespace gw::gl
