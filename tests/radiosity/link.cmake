@@ -1,0 +1,2 @@
+# The light tracer is an oracle here: its intersections are the ray tracer's.
+set(link gw::raytrace)

@@ -1,0 +1,64 @@
+// [F] The Cornell box against a light tracer: mean irradiances.
+#include "radiosity/solver/solver.h"
+#include "scene/read_scene.h"
+#include "test_paths.h"
+#include "tests/radiosity/photons.h"
+#include "tests/radiosity/scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::radiosity {
+namespace {
+
+double sum_of(const dvec3& v) { return v.x + v.y + v.z; }
+
+/// Of a facet that has a pixmap of its own; with an estimate of the light that is yet to come.
+double mean_irradiance(const Solver& solver, const Facet& facet) {
+    const PixmapModel& model = solver.model();
+    const Pixmap& pixmap = model.pixmaps[facet.pixmap];
+    double flux = 0, area = 0;
+    for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
+        flux += model.area[t] * sum_of(solver.solution().H[t]);
+        area += model.area[t];
+    }
+    return flux / area + sum_of(ambient(model, solver.solution()));
+}
+
+// The oracle's oracle: B = E / (1 - rho) in a furnace.
+TEST(Photons, AFurnaceIsEquallyBrightEverywhere) {
+    const scene::Scene scene = closed_box({1, 1.25f, 1.5f}, 0.5f, 1);
+    const PixmapModel model = make_model(scene);
+    for (const Irradiance& found : Photons(scene, model).trace(16, 4000)) {
+        EXPECT_LT(found.standard_error, 0.01 * 3 * 2);
+        EXPECT_NEAR(found.mean, 3 * 2, 5 * found.standard_error);
+    }
+}
+
+/// The standing sides of the blocks are farther off: docs/radiosity.md has by how much. The left
+/// wall's two facets share a pixmap.
+bool is_compared(const Facet& facet, const std::string& name) {
+    const bool is_block = name == "short_block" || name == "tall_block";
+    return is_block ? facet.normal.y > 0.99 : name != "left_wall" && name != "lamp";
+}
+
+TEST(Photons, WallsAndTopsOfTheCornellBoxAreWithinOnePercent) {
+    const scene::Scene scene =
+        scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene;
+    Solver solver(make_model(scene, {.texels_per_unit = 0.04}), {.form_factors = {.hemicube = 64}});
+    while (books(solver.model(), solver.solution()).unshot_share() > 0.002) solver.shoot();
+    const auto reference = Photons(scene, solver.model()).trace(64, 20000);
+    int compared = 0;
+    for (std::size_t f = 0; f < reference.size(); ++f) {
+        const Facet& facet = solver.model().facets[f];
+        const std::string& name = solver.model().figures[facet.figure].name;
+        if (!is_compared(facet, name)) continue;
+        ++compared;
+        const auto [mean, standard_error] = reference[f];
+        EXPECT_LT(standard_error, 0.004 * mean) << name;
+        EXPECT_NEAR(mean_irradiance(solver, facet), mean, 0.01 * mean + 3 * standard_error) << name;
+    }
+    EXPECT_EQ(compared, 6);
+}
+
+}  // namespace
+}  // namespace gw::radiosity
