@@ -326,7 +326,7 @@ LineAlgorithm appel() {
         .title = "Appel 1967: quantitative invisibility",
         .claim =
             "right for any faces, also if they go through each other; does not draw the lines in which they do",
-        .growth = {GrowthLaw::Superlinear, 4},
+        .growth = {GrowthLaw::Superlinear, 4, Sampling::Joined},
         .run = [](const Input& input, StepLog& log) { return Appel(input, log).run(); }};
 }
 

@@ -129,8 +129,8 @@ private:
         Figure figure;
         for (const std::size_t i : polygons)
             for (const WorldFacet& facet : input_.polygons[i].world_facets) {
+                if (!has_area(facet)) continue;
                 const dvec4 plane = unit_plane(facet);
-                if (plane == dvec4(0)) continue;
                 figure.all_convex = figure.all_convex && facet.parts.size() == 1;
                 for (const Loop& part : facet.parts) {
                     for (std::size_t k = 0; k < part.size(); ++k)
@@ -322,7 +322,7 @@ LineAlgorithm roberts() {
         .claim =
             "right for any polygons, best for convex solids; does not draw the lines in which solids go "
             "through each other",
-        .growth = {GrowthLaw::Superlinear, 3},
+        .growth = {GrowthLaw::Superlinear, 3, Sampling::Joined},
         .run = run};
 }
 

@@ -169,17 +169,26 @@ bool is_plane(const Loop& p) {
 }
 
 /// The polygon's plane pieces in the world. `t`: the triangles that the machine draws, the first of
-/// them number `first`.
+/// them number `first`. A triangle whose corners are on one line has no plane, but the snap may give
+/// it a pixel. So it belongs to the facet before it, or the next.
 void set_world_facets(Polygon& polygon, const scene::Object& object, std::span<const Triangle> t,
                       std::uint32_t first) {
     const bool plane = is_plane(polygon.world), convex = is_convex(polygon.world);
+    bool has_area = false;  // the last facet
     for (std::uint32_t i = 0; i < t.size(); ++i) {
-        if (i == 0 || !plane) polygon.world_facets.push_back({.first = first + i});
+        Loop part;
+        for (const std::uint32_t k : t[i].vertex) part.push_back(world_point(object, k));
+        const bool adds_area = polygon_normal(part) != dvec3(0);
+        if (i == 0 || (!plane && has_area && adds_area)) {
+            polygon.world_facets.push_back({.first = first + i});
+            has_area = false;
+        }
         WorldFacet& facet = polygon.world_facets.back();
-        facet.parts.emplace_back();
-        for (const std::uint32_t k : t[i].vertex)
-            facet.parts.back().push_back(world_point(object, k));
         facet.count += 1;
+        if (has_area && !adds_area) continue;
+        if (!has_area && adds_area) facet.parts.clear();
+        facet.parts.push_back(std::move(part));
+        has_area = has_area || adds_area;
     }
     if (plane && convex && !t.empty()) polygon.world_facets[0].parts = {polygon.world};
 }

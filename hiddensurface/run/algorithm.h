@@ -97,10 +97,15 @@ enum class GrowthLaw {
     Rays,        ///< every polygon at every pixel
     Superlinear  ///< by a power that depends on the scene
 };
+enum class Sampling {
+    Scattered,  ///< every k-th polygon asks the scene's questions
+    Joined      ///< the work depends on faces with common sides: neighbours ask them
+};
 /// The growth of the work with the polygons; estimate.h predicts a run's time from it.
 struct Growth {
     GrowthLaw law = GrowthLaw::Linear;
     double nanoseconds = 0;  ///< time of a question, about; 0: Linear
+    Sampling sampling = Sampling::Scattered;
 };
 
 struct Algorithm {

@@ -14,12 +14,39 @@ namespace {
 /// twice this number are not estimated.
 constexpr std::size_t sample_size = 1024;
 
+/// Smaller objects are sampled whole.
+constexpr std::size_t least_run = 64;
+
 /// `count` polygons, evenly over the scene's order.
-Input sample(const Input& input, std::size_t count) {
+Input scattered_sample(const Input& input, std::size_t count) {
     Input sampled{input.scene, input.view, input.profile, {}};
     for (std::size_t i = 0; i < count; ++i)
         sampled.polygons.push_back(input.polygons[i * input.polygons.size() / count]);
     return sampled;
+}
+
+/// About `count` polygons: of each object a run of neighbours from its middle, in proportion to its
+/// size; of small objects some, whole.
+Input joined_sample(const Input& input, std::size_t count) {
+    const std::vector<Polygon>& all = input.polygons;
+    Input sampled{input.scene, input.view, input.profile, {}};
+    double wanted = 0;
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+        while (end < all.size() && all[end].object == all[begin].object) ++end;
+        const std::size_t size = end - begin;
+        wanted += double(size) * double(count) / double(all.size());
+        if (wanted < double(std::min(size, least_run))) continue;
+        const std::size_t taken = std::min(size, std::size_t(wanted));
+        const auto from = all.begin() + std::ptrdiff_t(begin + (size - taken) / 2);
+        sampled.polygons.insert(sampled.polygons.end(), from, from + std::ptrdiff_t(taken));
+        wanted -= double(taken);
+    }
+    return sampled;
+}
+
+Input sample(const Input& input, std::size_t count, Sampling sampling) {
+    return sampling == Sampling::Joined ? joined_sample(input, count)
+                                        : scattered_sample(input, count);
 }
 
 double rays(const Input& input) {
@@ -59,8 +86,8 @@ Estimate estimate_of(const AnyAlgorithm& algorithm, const Input& input) {
     const double second = 1e-9 * growth.nanoseconds;
     if (growth.law == GrowthLaw::Rays) found.seconds = second * rays(input);
     if (growth.law != GrowthLaw::Superlinear || found.polygons < 2 * sample_size) return found;
-    const Sample half = run_sample(algorithm, sample(input, sample_size / 2)),
-                 whole = run_sample(algorithm, sample(input, sample_size));
+    const Sample half = run_sample(algorithm, sample(input, sample_size / 2, growth.sampling)),
+                 whole = run_sample(algorithm, sample(input, sample_size, growth.sampling));
     const double times = double(found.polygons) / double(sample_size);
     found.seconds = second * grown(half.questions, whole.questions, times);
     found.bytes = grown(half.bytes, whole.bytes, times);

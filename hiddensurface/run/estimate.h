@@ -1,7 +1,7 @@
 // Predicts the time and memory of a run of an algorithm whose work grows faster than the scene. It
-// counts the questions that the algorithm asks about every k-th polygon, so the same input gives the
-// same estimate on every machine. Seconds are those of a typical core. Does not draw, and does not
-// know the cost of the picture's pixels.
+// counts the questions that the algorithm asks about a sample of the polygons (Sampling), so the same
+// input gives the same estimate on every machine. Seconds are those of a typical core. Does not draw,
+// and does not know the cost of the picture's pixels.
 #pragma once
 
 #include "hiddensurface/lines/line_algorithm.h"

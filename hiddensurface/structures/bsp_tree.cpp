@@ -105,6 +105,29 @@ private:
     std::vector<Pending> pending_;
 };
 
+dvec3 normal_of(const WorldFacet& facet) {
+    dvec3 n(0);
+    for (const Loop& part : facet.parts) n += polygon_normal(part);
+    return n;
+}
+
+/// For corners whose areas add up to nothing: the normal of some triangle of them, or if all are on
+/// one line, a direction across it.
+dvec3 some_normal(const Loop& p) {
+    dvec3 along(1, 0, 0);
+    for (std::size_t k = 1; k < p.size(); ++k) {
+        const dvec3 n = face_normal(p[0], p[k], p[(k + 1) % p.size()]);
+        if (n != dvec3(0)) return n;
+        if (p[k] != p[0]) along = p[k] - p[0];
+    }
+    int least = 0;
+    for (int axis = 1; axis < 3; ++axis)
+        if (std::abs(along[axis]) < std::abs(along[least])) least = axis;
+    dvec3 other(0);
+    other[least] = 1;
+    return cross3(along, other);
+}
+
 }  // namespace
 
 Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
@@ -139,17 +162,16 @@ std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
     std::vector<TreePiece> pieces;
     for (const std::size_t i : order)
         for (std::size_t k = 0; k < polygons[i].world_facets.size(); ++k)
-            if (const WorldFacet& facet = polygons[i].world_facets[k];
-                unit_plane(facet) != dvec4(0))
-                pieces.push_back({{i, k}, facet.parts, {}});
+            pieces.push_back({{i, k}, polygons[i].world_facets[k].parts, {}});
     return pieces;
 }
 
+bool has_area(const WorldFacet& facet) { return normal_of(facet) != dvec3(0); }
+
 dvec4 unit_plane(const WorldFacet& facet) {
-    dvec3 n(0);
-    for (const Loop& part : facet.parts) n += polygon_normal(part);
-    const double length = std::sqrt(dot3(n, n));
-    return length > 0 ? plane_of(n / length, facet.parts[0][0]) : dvec4(0);
+    dvec3 n = normal_of(facet);
+    if (n == dvec3(0)) n = some_normal(facet.parts[0]);
+    return plane_of(n / std::sqrt(dot3(n, n)), facet.parts[0][0]);
 }
 
 double world_tolerance(const std::vector<Polygon>& polygons) {

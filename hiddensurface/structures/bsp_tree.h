@@ -22,7 +22,10 @@ struct TreePiece {
     std::vector<std::pair<FacetIndex, bool>> cuts;
 };
 
-/// The plane of a facet in the world, its normal of length 1; 0 if the facet has no area.
+/// False: its corners are on one line, or its parts cancel.
+bool has_area(const WorldFacet& facet);
+/// The plane of a facet in the world, its normal of length 1. Without area: one that its
+/// corners are in.
 dvec4 unit_plane(const WorldFacet& facet);
 /// Points nearer than this to a plane are on it. Positions are float32, so corners of one plane may
 /// be off by this part of the scene's size.
@@ -34,7 +37,7 @@ Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance);
 /// Cuts a piece by the plane of facet `by`: the part behind it and the part in front.
 std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
                                           const dvec4& plane);
-/// All facets that have an area, of the polygons in this order.
+/// All facets of the polygons, in this order.
 std::vector<TreePiece> pieces_of(const std::vector<Polygon>& polygons,
                                  const std::vector<std::size_t>& order);
 

@@ -72,6 +72,17 @@ TEST(Estimate, ForetellsTheQuestions) {
     }
 }
 
+// Gaps between the faces of a sample would make contours that the body has not.
+TEST(Estimate, ForetellsWhatDependsOnCommonSides) {
+    const Ready ready(prism(4096));
+    const LineAlgorithm& appel = *line_algorithm_named("appel");
+    StepLog none;
+    const LineCounts lines = appel.run(ready.input, none).counts;
+    const double asked = double(lines.facings + lines.extents + lines.planes + lines.crossings) *
+                         1e-9 * appel.growth.nanoseconds;
+    EXPECT_NEAR(estimate(appel, ready.input).seconds / asked, 1, 0.5);
+}
+
 TEST(Estimate, IsBeyondAnyLimitButNone) {
     const Estimate long_run{"newell", 20480, 2400, 20e6}, large_run{"schumacker", 99, 1, 5e9};
     EXPECT_TRUE(is_beyond(long_run, 300));
