@@ -6,10 +6,12 @@ function bytesOf(base64: string): Uint8Array {
   return bytes;
 }
 
-async function unpacked(id: string): Promise<Response> {
+function unpacked(id: string, type: string): Response {
   const text = document.getElementById(id)?.textContent ?? '';
   const stream = new Blob([bytesOf(text.trim())]).stream();
-  return new Response(stream.pipeThrough(new DecompressionStream('gzip')));
+  return new Response(stream.pipeThrough(new DecompressionStream('gzip')), {
+    headers: { 'Content-Type': type },
+  });
 }
 
 /** A module with a value of 128 bits. */
@@ -20,14 +22,15 @@ const vectorModule = [
 /** Whether this browser has WebAssembly's vectors. */
 export const hasVectors = (): boolean => WebAssembly.validate(new Uint8Array(vectorModule));
 
-export const engineBytes = async (vectors: boolean): Promise<ArrayBuffer> =>
-  (await unpacked(vectors ? 'engine' : 'scalar')).arrayBuffer();
+/** Compiled while it is unpacked, once for all workers. */
+export const engineModule = (vectors: boolean): Promise<WebAssembly.Module> =>
+  WebAssembly.compileStreaming(unpacked(vectors ? 'engine' : 'scalar', 'application/wasm'));
 
 export const folder = '/scenes/';
 
 /** By path, "/scenes/hidden/cycle.toml". */
 export async function sceneFiles(): Promise<Record<string, Uint8Array>> {
-  const files = (await (await unpacked('scenes')).json()) as Record<string, string>;
+  const files = (await unpacked('scenes', 'application/json').json()) as Record<string, string>;
   return Object.fromEntries(
     Object.entries(files).map(([name, base64]) => [folder + name, bytesOf(base64)]),
   );

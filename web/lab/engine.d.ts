@@ -45,7 +45,12 @@ declare module 'gw-engine' {
       writeFile(path: string, data: Uint8Array | string): void;
     };
   }
-  export default function make_engine(settings: { wasmBinary: ArrayBuffer }): Promise<EngineModule>;
+  export default function make_engine(settings: {
+    instantiateWasm(
+      imports: WebAssembly.Imports,
+      done: (instance: WebAssembly.Instance) => void,
+    ): object;
+  }): Promise<EngineModule>;
 }
 // The same without vectors.
 declare module 'gw-scalar' {

@@ -19,13 +19,13 @@ export class Machine {
   private scene = '';
 
   private constructor(
-    private readonly wasm: ArrayBuffer,
+    private readonly wasm: WebAssembly.Module,
     private readonly vectors: boolean,
     private files: Files,
   ) {}
 
   static async start(
-    wasm: ArrayBuffer,
+    wasm: WebAssembly.Module,
     vectors: boolean,
     files: Files,
   ): Promise<[Machine, ReturnType<Methods['start']>]> {

@@ -393,7 +393,7 @@ export interface Graded {
 export interface Methods {
   /** `vectors`: which of the two engines `wasm` is. */
   start(
-    wasm: ArrayBuffer,
+    wasm: WebAssembly.Module,
     vectors: boolean,
     files: Files,
   ): { algorithms: readonly AlgorithmName[]; simd: string };

@@ -52,7 +52,12 @@ function addPicture(path: string): void {
 
 const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
   async start(wasm, vectors, files) {
-    lab = await (vectors ? make_engine : make_scalar)({ wasmBinary: wasm });
+    lab = await (vectors ? make_engine : make_scalar)({
+      instantiateWasm(imports, done) {
+        void WebAssembly.instantiate(wasm, imports).then(done);
+        return {};
+      },
+    });
     engine = new lab.Engine();
     write(files);
     return { algorithms: JSON.parse(lab.algorithms()) as unknown, simd: lab.simd_target() };

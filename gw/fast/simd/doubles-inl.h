@@ -10,6 +10,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/base/types.h"
+#include "gw/fast/simd/wasm_doubles-inl.h"
 
 #include <hwy/highway.h>
 
