@@ -52,11 +52,16 @@ function addPicture(path: string): void {
 
 const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
   async start(wasm, vectors, files) {
-    lab = await (vectors ? make_engine : make_scalar)({
-      instantiateWasm(imports, done) {
-        void WebAssembly.instantiate(wasm, imports).then(done);
+    const make = vectors ? make_engine : make_scalar;
+    lab = await new Promise<EngineModule>((resolve, reject) => {
+      const instantiateWasm = (
+        imports: WebAssembly.Imports,
+        done: (instance: WebAssembly.Instance) => void,
+      ): object => {
+        WebAssembly.instantiate(wasm, imports).then(done, reject);
         return {};
-      },
+      };
+      make({ instantiateWasm }).then(resolve, reject);
     });
     engine = new lab.Engine();
     write(files);
