@@ -1,65 +1,8 @@
 // Claim: wherever a disk is full, in whichever file of whichever command, the command says so with
 // code 1, and what was there before is as it was.
-#include "tests/apps/scene_files.h"
-
-#include <map>
-#include <set>
+#include "tests/apps/failing_writes.h"
 
 namespace gw::apps {
-
-class FailingWrites : public SceneTest {
-protected:
-    using Files = std::map<std::string, std::string>;  ///< names from the folder to bytes
-
-    Files files() const {
-        Files all;
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(in(".")))
-            if (entry.is_regular_file())
-                all[entry.path().lexically_relative(in(".")).string()] = bytes_of(entry.path());
-        return all;
-    }
-
-    /// The sizes of the files that the command adds, and just less: so each of them fails in turn, in
-    /// its first byte, in the middle and in its last.
-    std::set<long> limits(const Files& before) const {
-        std::set<long> sizes;
-        for (const auto& [name, bytes] : files())
-            if (!before.contains(name) && !bytes.empty())
-                sizes.insert({0, long(bytes.size()) / 2, long(bytes.size()) - 1});
-        return sizes;
-    }
-
-    void expect_nothing_written(const std::vector<std::string>& arguments, long limit,
-                                const Files& before) const {
-        const Outcome outcome = gw(arguments, {.largest_file = limit});
-        EXPECT_EQ(outcome.code, 1) << arguments[0] << " with files of " << limit << " bytes\n"
-                                   << outcome.err;
-        EXPECT_EQ(files(), before) << arguments[0] << " with files of " << limit << " bytes";
-    }
-
-    /// `outputs`: what the command makes. It is run once for the sizes, then with every limit: first
-    /// where nothing is, then where a file of each name is.
-    void expect_whole_or_nothing(const std::vector<std::string>& arguments,
-                                 const std::vector<std::string>& outputs) const {
-        const Files before = files();
-        ASSERT_EQ(gw(arguments).code, 0) << arguments[0];
-        const std::set<long> all = limits(before);
-        ASSERT_FALSE(all.empty());
-        for (const long limit : all) {
-            for (const std::string& output : outputs) std::filesystem::remove_all(in(output));
-            expect_nothing_written(arguments, limit, before);
-        }
-        ASSERT_EQ(gw(arguments).code, 0) << arguments[0];
-        const Files after = files();  // EXR files hold the time at which they were made
-        for (const long limit : all) expect_nothing_written(arguments, limit, after);
-        for (const std::string& output : outputs) std::filesystem::remove_all(in(output));
-    }
-};
-
-TEST_F(FailingWrites, OfPicturesInEveryKindOfFormat) {
-    for (const std::string name : {"a.png", "a.exr", "a.tif", "a.ppm", "a.jpg", "a.tga"})
-        expect_whole_or_nothing({"render", "lamps.toml", "-o", name, "--size", "32x32"}, {name});
-}
 
 TEST_F(FailingWrites, OfEveryFileBesideAPicture) {
     expect_whole_or_nothing({"render", "lamps.toml", "-o", "a.png", "--size", "16x16", "--manifest",
@@ -79,16 +22,6 @@ TEST_F(FailingWrites, OfRecordingsAndManifests) {
     expect_whole_or_nothing({"inspect", "t.gwt", "-o", "report"}, {"report"});
     write("other.toml", bytes_of(in("lamps.toml")) + "[[light]]\ndirection = [0, 0, -1]\nId = 1\n");
     ASSERT_EQ(gw({"verify", "t.gwt", "m.json", "--update"}).code, 0);
-}
-
-TEST_F(FailingWrites, OfFoldersThatAreNewOrKept) {
-    expect_whole_or_nothing({"render", "lamps.toml", "-o", "a.png", "--size", "16x16", "--planes",
-                             "planes", "--components", "parts"},
-                            {"a.png", "planes", "parts"});
-    expect_whole_or_nothing(
-        {"hidden", "lamps.toml", "--algorithm", "newell", "--steps", "steps", "--size", "16x16"},
-        {"steps"});
-    expect_whole_or_nothing({"hidden", "--quiz", "quiz", "--questions", "1"}, {"quiz"});
 }
 
 }  // namespace gw::apps

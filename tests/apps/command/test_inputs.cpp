@@ -1,4 +1,5 @@
 // Claim: no command replaces a file that it reads, whichever of its outputs is named so.
+#include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 
 namespace gw::apps {
@@ -11,11 +12,11 @@ const std::vector<std::string> reads_it{"this command reads it"};
 class Inputs : public SceneTest {
 protected:
     Inputs() {
-        write("textured.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.ppm\n");
-        write("map.ppm", "P3\n1 1\n255\n255 0 0\n");
+        write("textured.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.png\n");
+        write_pixel(in("map.png"), {255, 0, 0});
         write("textured.obj", "mtllib textured.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
         write("mine.toml", bytes_of(in("lamps.toml")) + "[[object]]\nfile = \"textured.obj\"\n");
-        std::filesystem::create_symlink("map.ppm", in("link.ppm"));
+        std::filesystem::create_symlink("map.png", in("link.png"));
     }
 
     void expect_kept(const std::vector<std::string>& arguments, const std::string& input,
@@ -28,33 +29,33 @@ protected:
 
 TEST_F(Inputs, OfASceneStayAsTheyAre) {
     for (const std::string input :
-         {"mine.toml", "textured.obj", "textured.mtl", "quad.obj", "map.ppm", "./map.ppm"}) {
+         {"mine.toml", "textured.obj", "textured.mtl", "quad.obj", "map.png", "./map.png"}) {
         expect_kept({"record", "mine.toml", "-o", input}, input);
         expect_kept({"record", "mine.toml", "-o", "t.gwt", "--manifest", input}, input);
         expect_kept({"render", "mine.toml", "-o", "a.png", "--manifest", input}, input);
         expect_kept({"render", "mine.toml", "-o", "a.png", "--counters", input}, input);
     }
-    expect_kept({"render", "mine.toml", "-o", "map.ppm"}, "map.ppm");
-    expect_kept({"render", "mine.toml", "-o", "link.ppm"}, "map.ppm");
-    expect_kept({"cast", "mine.toml", "-o", "map.ppm"}, "map.ppm");
-    expect_kept({"cast", "mine.toml", "-o", "a.png", "--tests", "map.ppm"}, "map.ppm");
-    expect_kept({"styles", "mine.toml", "-o", "map.ppm"}, "map.ppm");
+    expect_kept({"render", "mine.toml", "-o", "map.png"}, "map.png");
+    expect_kept({"render", "mine.toml", "-o", "link.png"}, "map.png");
+    expect_kept({"cast", "mine.toml", "-o", "map.png"}, "map.png");
+    expect_kept({"cast", "mine.toml", "-o", "a.png", "--tests", "map.png"}, "map.png");
+    expect_kept({"styles", "mine.toml", "-o", "map.png"}, "map.png");
     expect_kept({"hidden", "mine.toml", "--truth", "quad.obj"}, "quad.obj");
 }
 
 TEST_F(Inputs, OfATurntableAreNotOneOfItsPictures) {
-    write("a_002.ppm", bytes_of(in("map.ppm")));
-    write("textured.mtl", "newmtl red\nmap_Kd a_002.ppm\n");
-    expect_kept({"render", "mine.toml", "-o", "a.ppm", "--turntable", "3"}, "a_002.ppm");
+    write("a_002.png", bytes_of(in("map.png")));
+    write("textured.mtl", "newmtl red\nmap_Kd a_002.png\n");
+    expect_kept({"render", "mine.toml", "-o", "a.png", "--turntable", "3"}, "a_002.png");
 }
 
 TEST_F(Inputs, InFoldersOfOutputsStayAsTheyAre) {
     std::filesystem::create_directory(in("parts"));
-    write("parts/sum.ppm", bytes_of(in("map.ppm")));
-    write("textured.mtl", "newmtl red\nmap_Kd parts/sum.ppm\n");
-    expect_kept({"render", "mine.toml", "-o", "a.ppm", "--components", "parts", "--size", "16x16"},
-                "parts/sum.ppm");
-    EXPECT_EQ(names("parts"), std::vector<std::string>{"sum.ppm"});
+    write("parts/sum.png", bytes_of(in("map.png")));
+    write("textured.mtl", "newmtl red\nmap_Kd parts/sum.png\n");
+    expect_kept({"render", "mine.toml", "-o", "a.png", "--components", "parts", "--size", "16x16"},
+                "parts/sum.png");
+    EXPECT_EQ(names("parts"), std::vector<std::string>{"sum.png"});
 }
 
 TEST_F(Inputs, ProfilesAndRecordingsStayAsTheyAre) {

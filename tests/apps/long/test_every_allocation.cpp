@@ -12,4 +12,12 @@ TEST_F(FailingAllocations, OfAReplayEachInTurn) {
     expect_error_or_whole({"replay", "t.gwt", "-o", "a.png"}, 1, 1);
 }
 
+TEST_F(FailingAllocations, OfARecordingAndAProofOneInAHundred) {
+    expect_error_or_whole({"record", "lamps.toml", "-o", "t.gwt", "--size", "16x16"}, 50, 97);
+    ASSERT_EQ(
+        gw({"record", "lamps.toml", "-o", "t.gwt", "--manifest", "m.json", "--size", "16x16"}).code,
+        0);
+    expect_error_or_whole({"verify", "t.gwt", "m.json"}, 50, 97);
+}
+
 }  // namespace gw::apps

@@ -40,10 +40,10 @@ material = {Kd = [0, 0, 1], d = 0.5}
 )");
     }
     std::string picture(std::vector<std::string> options) const {
-        options.insert(options.begin(), {"render", "panes.toml", "-o", "a.ppm", "--size", "64x48"});
+        options.insert(options.begin(), {"render", "panes.toml", "-o", "a.png", "--size", "64x48"});
         const Outcome outcome = gw(options);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
-        return bytes_of(in("a.ppm"));
+        return bytes_of(in("a.png"));
     }
 };
 
@@ -88,13 +88,13 @@ TEST_F(EffectOptions, CountersAddUp) {
 }
 
 TEST_F(EffectOptions, AreCheckedBeforeAnythingIsDrawn) {
-    expect_refused(2, {"render", "panes.toml", "-o", "a.ppm", "--translucency", "glass"},
+    expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--translucency", "glass"},
                    {"--translucency 'glass'", "layers, sorted, unsorted"});
-    expect_refused(2, {"render", "panes.toml", "-o", "a.ppm", "--shadow", "soft"},
+    expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--shadow", "soft"},
                    {"--shadow 'soft'", "map, none, volume"});
-    expect_refused(2, {"render", "panes.toml", "-o", "a.ppm", "--counters", "a.ppm"},
+    expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--counters", "a.png"},
                    {"--counters and --output are the same file"});
-    expect_refused(1, {"render", "panes.toml", "-o", "a.ppm", "--counters", "missing/c.json"},
+    expect_refused(1, {"render", "panes.toml", "-o", "a.png", "--counters", "missing/c.json"},
                    {"missing does not exist"});
     expect_refused(2, {"hidden", "panes.toml", "--shadow", "map"}, {"unknown option '--shadow'"});
 }

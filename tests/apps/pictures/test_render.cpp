@@ -229,7 +229,7 @@ protected:
     };
 
     Outcome draw(const Lines& lines, const std::string& renderer, const std::string& file) const {
-        write("white.ppm", "P3\n1 1\n255\n255 255 255\n");
+        write_pixel(in("white.png"), {255, 255, 255});
         write("s.toml", lines.scene + R"(
 [camera]
 eye = [0, 0, 5]
@@ -239,7 +239,7 @@ direction = [0.7, 0, -1]
 shadow = "volume"
 [[object]]
 file = "quad.obj"
-material = {Ka = 0, Kd = 0.25, Ks = 0.5, refl = "white.ppm"}
+material = {Ka = 0, Kd = 0.25, Ks = 0.5, refl = "white.png"}
 [[object]]
 file = "quad.obj"
 scale = 0.4
