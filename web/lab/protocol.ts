@@ -32,6 +32,8 @@ export interface AlgorithmName {
 export interface DrawOptions extends View {
   readonly renderer: string;
   readonly samples?: number;
+  /** 'rays' or 'maps'. */
+  readonly reflections?: string;
 }
 
 export interface PassesOptions extends DrawOptions {
