@@ -1,16 +1,16 @@
 // Measures the built lab in Chromium: frames of a turning eye beside the same frames through the
 // browser's WebGL on SwiftShader, in turns in one page; and the time to the first picture from disk.
 // GW_LAB: the page; GW_FRAMES: the folder of bench_lab_frames' files. scripts/lab --bench calls it.
-import { readFileSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
-import { fileURLToPath } from "node:url";
-import { build } from "esbuild";
-import puppeteer, { type Browser, type Page } from "puppeteer-core";
-import type { Machine } from "../lab/machine";
-import type { Frame, WebGlPlayer } from "./webgl";
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'esbuild';
+import puppeteer, { type Browser, type Page } from 'puppeteer-core';
+import type { Machine } from '../lab/machine';
+import type { Frame, WebGlPlayer } from './webgl';
 
-const lab = process.env["GW_LAB"] ?? "../build/lab/index.html";
-const frames = process.env["GW_FRAMES"] ?? "../build/lab/frames";
+const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';
+const frames = process.env['GW_FRAMES'] ?? '../build/lab/frames';
 const pictures = 12;
 
 interface BenchWindow {
@@ -26,41 +26,40 @@ interface Workload {
 }
 const workloads: Workload[] = [
   {
-    name: "teapot.toml 640x480, hardware",
-    scene: "teapot",
-    frame: "teapot.json",
-    renderer: "hardware",
-    reflections: "rays",
+    name: 'teapot.toml 640x480, hardware',
+    scene: 'teapot',
+    frame: 'teapot.json',
+    renderer: 'hardware',
+    reflections: 'rays',
   },
   {
-    name: "fig9.toml 320x240, multipass without rays",
-    scene: "fig9",
-    frame: "fig9.json",
-    renderer: "multipass",
-    reflections: "maps",
+    name: 'fig9.toml 320x240, multipass without rays',
+    scene: 'fig9',
+    frame: 'fig9.json',
+    renderer: 'multipass',
+    reflections: 'maps',
   },
   {
-    name: "fig9.toml 320x240, multipass with rays (WebGL: without)",
-    scene: "fig9",
-    frame: "fig9.json",
-    renderer: "multipass",
-    reflections: "rays",
+    name: 'fig9.toml 320x240, multipass with rays (WebGL: without)',
+    scene: 'fig9',
+    frame: 'fig9.json',
+    renderer: 'multipass',
+    reflections: 'rays',
   },
 ];
 
 const launch = (): Promise<Browser> =>
   puppeteer.launch({
-    executablePath: process.env["CHROMIUM"] ?? "/usr/bin/chromium",
+    executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
     args: [
-      "--no-sandbox",
-      "--use-gl=angle",
-      "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
+      '--no-sandbox',
+      '--use-gl=angle',
+      '--use-angle=swiftshader',
+      '--enable-unsafe-swiftshader',
     ],
     protocolTimeout: 600_000,
   });
-const median = (values: number[]): number =>
-  values.sort((a, b) => a - b)[values.length >> 1]!;
+const median = (values: number[]): number => values.sort((a, b) => a - b)[values.length >> 1]!;
 
 /** In the page. Each picture from another eye, first ours, then WebGL's. */
 async function inTurns(
@@ -75,23 +74,19 @@ async function inTurns(
   seen: string;
 }> {
   const { machine, peer } = window as unknown as BenchWindow;
-  const facts = await machine.ask("open", `/scenes/${scene}.toml`);
+  const facts = await machine.ask('open', `/scenes/${scene}.toml`);
   const player = new peer.WebGlPlayer(frame);
   const { width, height } = frame;
-  const canvas = Object.assign(document.createElement("canvas"), {
+  const canvas = Object.assign(document.createElement('canvas'), {
     width,
     height,
   });
-  const context = canvas.getContext("2d")!;
+  const context = canvas.getContext('2d')!;
   const eyeAt = (angle: number): [number, number, number] => {
     const x = facts.eye[0]! - facts.at[0]!;
     const z = facts.eye[2]! - facts.at[2]!;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
-    return [
-      facts.at[0]! + c * x + s * z,
-      facts.eye[1]!,
-      facts.at[2]! - s * x + c * z,
-    ];
+    return [facts.at[0]! + c * x + s * z, facts.eye[1]!, facts.at[2]! - s * x + c * z];
   };
   /** The eye of the first frame to that of this angle: V T(at) R^-1 T(-at) V^-1. */
   const turnOf = (angle: number): number[] => {
@@ -105,28 +100,24 @@ async function inTurns(
   const ours: number[] = [];
   const theirs: number[] = [];
   let difference = 0;
-  const beside = Object.assign(document.createElement("canvas"), {
+  const beside = Object.assign(document.createElement('canvas'), {
     width: width * 2,
     height,
   });
   for (let i = 0; i < count + 2; ++i) {
     const angle = 0.03 * i;
     const begun = performance.now();
-    const { picture } = await machine.ask("draw", {
+    const { picture } = await machine.ask('draw', {
       width,
       height,
-      profile: "vgx",
+      profile: 'vgx',
       renderer,
       reflections,
       eye: eyeAt(angle),
       at: [...facts.at],
       up: [...facts.up],
     });
-    context.putImageData(
-      new ImageData(new Uint8ClampedArray(picture), width, height),
-      0,
-      0,
-    );
+    context.putImageData(new ImageData(new Uint8ClampedArray(picture), width, height), 0, 0);
     const between = performance.now();
     player.draw(turnOf(angle));
     const read = player.read();
@@ -138,38 +129,33 @@ async function inTurns(
     for (let y = 0; y < height; ++y)
       for (let k = 0; k < width * 4; ++k)
         if (k % 4 < 3)
-          sum += Math.abs(
-            picture[y * width * 4 + k]! -
-              read[(height - 1 - y) * width * 4 + k]!,
-          );
+          sum += Math.abs(picture[y * width * 4 + k]! - read[(height - 1 - y) * width * 4 + k]!);
     difference += sum / (width * height * 3) / count;
-    const both = beside.getContext("2d")!;
+    const both = beside.getContext('2d')!;
     both.drawImage(canvas, 0, 0);
     both.drawImage(player.canvas, width, 0);
   }
-  const seen = beside.toDataURL().split(",")[1]!;
+  const seen = beside.toDataURL().split(',')[1]!;
   return { ours, peer: theirs, difference, by: player.renderer, seen };
 }
 
 async function measureFrames(page: Page): Promise<void> {
   const bundle = await build({
-    entryPoints: [fileURLToPath(new URL("webgl.ts", import.meta.url))],
+    entryPoints: [fileURLToPath(new URL('webgl.ts', import.meta.url))],
     bundle: true,
     write: false,
-    format: "iife",
-    globalName: "peer",
+    format: 'iife',
+    globalName: 'peer',
   });
   await page.goto(`file://${lab}#lang=en&size=64x48`);
-  await page.waitForSelector("canvas");
+  await page.waitForSelector('canvas');
   await page.addScriptTag({ content: bundle.outputFiles[0]!.text });
   for (const workload of workloads) {
-    const frame = JSON.parse(
-      readFileSync(join(frames, workload.frame), "utf8"),
-    ) as Frame;
+    const frame = JSON.parse(readFileSync(join(frames, workload.frame), 'utf8')) as Frame;
     const run = await page.evaluate(inTurns, frame, workload, pictures);
     const [ours, peer] = [median(run.ours), median(run.peer)];
     const png = `${workload.scene}_${workload.reflections}.png`;
-    writeFileSync(join(frames, png), Buffer.from(run.seen, "base64"));
+    writeFileSync(join(frames, png), Buffer.from(run.seen, 'base64'));
     console.log(
       `${workload.name}: lab ${ours.toFixed(0)} ms (${(1000 / ours).toFixed(1)} pictures a second, ` +
         `fastest ${run.ours[0]!.toFixed(0)} ms), WebGL ${peer.toFixed(1)} ms, ` +
@@ -185,21 +171,14 @@ async function firstPicture(hash: string): Promise<number> {
   await page.evaluateOnNewDocument(() => {
     const prototype = CanvasRenderingContext2D.prototype;
     const put = prototype.putImageData;
-    prototype.putImageData = function (
-      this: CanvasRenderingContext2D,
-      ...values: unknown[]
-    ) {
+    prototype.putImageData = function (this: CanvasRenderingContext2D, ...values: unknown[]) {
       put.apply(this, values as Parameters<typeof put>);
       (window as { first?: number }).first ??= performance.now();
     };
   });
   await page.goto(`file://${lab}${hash}`);
-  await page.waitForFunction(
-    () => (window as { first?: number }).first !== undefined,
-  );
-  const first = await page.evaluate(
-    () => (window as unknown as { first: number }).first,
-  );
+  await page.waitForFunction(() => (window as { first?: number }).first !== undefined);
+  const first = await page.evaluate(() => (window as unknown as { first: number }).first);
   await browser.close();
   return first;
 }
@@ -207,11 +186,8 @@ async function firstPicture(hash: string): Promise<number> {
 const browser = await launch();
 await measureFrames(await browser.newPage());
 await browser.close();
-for (const exhibit of ["hidden", "pixel", "passes", "rays", "radiosity"]) {
+for (const exhibit of ['hidden', 'pixel', 'passes', 'rays', 'radiosity']) {
   const times: number[] = [];
-  for (let i = 0; i < 5; ++i)
-    times.push(await firstPicture(`#lang=en&exhibit=${exhibit}`));
-  console.log(
-    `first picture, ${exhibit}: median ${(median(times) / 1000).toFixed(2)} s of 5`,
-  );
+  for (let i = 0; i < 5; ++i) times.push(await firstPicture(`#lang=en&exhibit=${exhibit}`));
+  console.log(`first picture, ${exhibit}: median ${(median(times) / 1000).toFixed(2)} s of 5`);
 }

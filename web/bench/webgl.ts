@@ -1,6 +1,6 @@
 // Plays a frame of bench_lab_frames through WebGL: lights at the vertices, buffers and programs made
 // once. Runs in the page; does not measure.
-import { fragmentShader, mostLights, vertexShader } from "./shaders";
+import { fragmentShader, mostLights, vertexShader } from './shaders';
 
 type Matrix = readonly number[];
 type Color = readonly [number, number, number, number];
@@ -86,10 +86,7 @@ function product(a: Matrix, b: Matrix): number[] {
   return Array.from({ length: 16 }, (_, i) => {
     const row = i % 4;
     const column = i - row;
-    return [0, 1, 2, 3].reduce(
-      (sum, k) => sum + a[k * 4 + row]! * b[column + k]!,
-      0,
-    );
+    return [0, 1, 2, 3].reduce((sum, k) => sum + a[k * 4 + row]! * b[column + k]!, 0);
   });
 }
 /** The inverse transpose of the upper 3x3: cofactors over the determinant; the shader normalizes. */
@@ -122,28 +119,27 @@ export class WebGlPlayer {
   private readonly programs = new Map<string, Program>();
   private program!: Program;
 
-  readonly canvas = document.createElement("canvas");
+  readonly canvas = document.createElement('canvas');
 
   constructor(private readonly frame: Frame) {
     const { canvas } = this;
     canvas.width = frame.width;
     canvas.height = frame.height;
-    const gl = canvas.getContext("webgl", {
+    const gl = canvas.getContext('webgl', {
       antialias: false,
       stencil: true,
       alpha: true,
       premultipliedAlpha: false,
       preserveDrawingBuffer: true,
     });
-    if (!gl) throw new Error("the browser has no WebGL");
-    if (!gl.getExtension("OES_element_index_uint"))
-      throw new Error("no indices of 32 bits");
+    if (!gl) throw new Error('the browser has no WebGL');
+    if (!gl.getExtension('OES_element_index_uint')) throw new Error('no indices of 32 bits');
     this.gl = gl;
     this.meshes = frame.meshes.map((mesh) => {
       const indices = new Uint32Array(bytes(mesh.indices));
       return {
         buffers: [mesh.positions, mesh.normals, mesh.texcoords].map((text) =>
-          text === "" ? undefined : this.buffer(gl.ARRAY_BUFFER, bytes(text)),
+          text === '' ? undefined : this.buffer(gl.ARRAY_BUFFER, bytes(text)),
         ),
         indices: this.buffer(gl.ELEMENT_ARRAY_BUFFER, indices.buffer),
         count: indices.length,
@@ -153,29 +149,15 @@ export class WebGlPlayer {
       const texture = gl.createTexture()!;
       gl.bindTexture(gl.TEXTURE_2D, texture);
       const texels = new Uint8Array(bytes(rgba));
-      gl.texImage2D(
-        gl.TEXTURE_2D,
-        0,
-        gl.RGBA,
-        width,
-        height,
-        0,
-        gl.RGBA,
-        gl.UNSIGNED_BYTE,
-        texels,
-      );
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
       gl.generateMipmap(gl.TEXTURE_2D);
       return texture;
     });
   }
 
   get renderer(): string {
-    const debug = this.gl.getExtension("WEBGL_debug_renderer_info");
-    return String(
-      this.gl.getParameter(
-        debug ? debug.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER,
-      ),
-    );
+    const debug = this.gl.getExtension('WEBGL_debug_renderer_info');
+    return String(this.gl.getParameter(debug ? debug.UNMASKED_RENDERER_WEBGL : this.gl.RENDERER));
   }
 
   /** One frame, seen after `turn`: eye from the eye of the frame as it was written. */
@@ -191,15 +173,7 @@ export class WebGlPlayer {
   read(): Uint8Array {
     const { width, height } = this.frame;
     const rgba = new Uint8Array(width * height * 4);
-    this.gl.readPixels(
-      0,
-      0,
-      width,
-      height,
-      this.gl.RGBA,
-      this.gl.UNSIGNED_BYTE,
-      rgba,
-    );
+    this.gl.readPixels(0, 0, width, height, this.gl.RGBA, this.gl.UNSIGNED_BYTE, rgba);
     return rgba;
   }
 
@@ -214,21 +188,16 @@ export class WebGlPlayer {
       gl.shaderSource(shader, defines + source);
       gl.compileShader(shader);
       if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS))
-        throw new Error(
-          gl.getShaderInfoLog(shader) ?? "a shader does not compile",
-        );
+        throw new Error(gl.getShaderInfoLog(shader) ?? 'a shader does not compile');
       gl.attachShader(program, shader);
     }
-    ["position", "normal", "texcoord"].forEach((name, i) =>
+    ['position', 'normal', 'texcoord'].forEach((name, i) =>
       gl.bindAttribLocation(program, i, name),
     );
     gl.linkProgram(program);
     return { program, places: new Map() };
   }
-  private buffer(
-    kind: number,
-    data: ArrayBuffer | ArrayBufferLike,
-  ): WebGLBuffer {
+  private buffer(kind: number, data: ArrayBuffer | ArrayBufferLike): WebGLBuffer {
     const buffer = this.gl.createBuffer()!;
     this.gl.bindBuffer(kind, buffer);
     this.gl.bufferData(kind, data as ArrayBuffer, this.gl.STATIC_DRAW);
@@ -236,8 +205,7 @@ export class WebGlPlayer {
   }
   private place(name: string): WebGLUniformLocation | null {
     const { program, places } = this.program;
-    if (!places.has(name))
-      places.set(name, this.gl.getUniformLocation(program, name));
+    if (!places.has(name)) places.set(name, this.gl.getUniformLocation(program, name));
     return places.get(name)!;
   }
   private enable(what: number, on: boolean): void {
@@ -250,14 +218,8 @@ export class WebGlPlayer {
     gl.clearColor(...color);
     gl.clearDepth(depth);
     gl.clearStencil(stencil);
-    const masks = [
-      gl.COLOR_BUFFER_BIT,
-      gl.DEPTH_BUFFER_BIT,
-      gl.STENCIL_BUFFER_BIT,
-    ];
-    gl.clear(
-      masks.reduce((all, mask, i) => (planes & (1 << i) ? all | mask : all), 0),
-    );
+    const masks = [gl.COLOR_BUFFER_BIT, gl.DEPTH_BUFFER_BIT, gl.STENCIL_BUFFER_BIT];
+    gl.clear(masks.reduce((all, mask, i) => (planes & (1 << i) ? all | mask : all), 0));
   }
 
   private apply(s: State): void {
@@ -301,18 +263,8 @@ export class WebGlPlayer {
       [gl.FRONT, s.stencil.front],
       [gl.BACK, s.stencil.back],
     ] as const) {
-      gl.stencilFuncSeparate(
-        side,
-        gl.NEVER + face.func,
-        face.ref,
-        face.mask & 255,
-      );
-      gl.stencilOpSeparate(
-        side,
-        ops[face.fail]!,
-        ops[face.zfail]!,
-        ops[face.zpass]!,
-      );
+      gl.stencilFuncSeparate(side, gl.NEVER + face.func, face.ref, face.mask & 255);
+      gl.stencilOpSeparate(side, ops[face.fail]!, ops[face.zfail]!, ops[face.zpass]!);
       gl.stencilMaskSeparate(side, face.write_mask & 255);
     }
   }
@@ -321,24 +273,20 @@ export class WebGlPlayer {
     const { gl } = this;
     const lit = s.color_source === 1;
     const defines = [
-      lit && "LIT",
-      lit && s.two_side && "TWO_SIDE",
-      draw.texture !== undefined && "TEXTURED",
-      draw.texture !== undefined && s.texture.gen === 1 && "GENERATED",
+      lit && 'LIT',
+      lit && s.two_side && 'TWO_SIDE',
+      draw.texture !== undefined && 'TEXTURED',
+      draw.texture !== undefined && s.texture.gen === 1 && 'GENERATED',
     ];
-    const key = defines
-      .map((name) => (name ? `#define ${name}\n` : ""))
-      .join("");
+    const key = defines.map((name) => (name ? `#define ${name}\n` : '')).join('');
     let program = this.programs.get(key);
     if (!program) this.programs.set(key, (program = this.makeProgram(key)));
     this.program = program;
     gl.useProgram(program.program);
-    gl.uniformMatrix4fv(this.place("projection"), false, [...s.projection]);
-    gl.uniformMatrix4fv(this.place("textureMatrix"), false, [
-      ...s.texture.matrix,
-    ]);
-    gl.uniform1i(this.place("localViewer"), s.local_viewer ? 1 : 0);
-    gl.uniform3fv(this.place("modelAmbient"), s.model_ambient.slice(0, 3));
+    gl.uniformMatrix4fv(this.place('projection'), false, [...s.projection]);
+    gl.uniformMatrix4fv(this.place('textureMatrix'), false, [...s.texture.matrix]);
+    gl.uniform1i(this.place('localViewer'), s.local_viewer ? 1 : 0);
+    gl.uniform3fv(this.place('modelAmbient'), s.model_ambient.slice(0, 3));
   }
 
   private bindTexture(number: number | undefined, s: State): void {
@@ -354,18 +302,9 @@ export class WebGlPlayer {
     ];
     const { texture } = s;
     gl.bindTexture(gl.TEXTURE_2D, this.textures[number]!);
-    gl.texParameteri(
-      gl.TEXTURE_2D,
-      gl.TEXTURE_MIN_FILTER,
-      filters[texture.min_filter]!,
-    );
-    gl.texParameteri(
-      gl.TEXTURE_2D,
-      gl.TEXTURE_MAG_FILTER,
-      filters[texture.mag_filter]!,
-    );
-    const wrap = (mode: number): number =>
-      mode === 0 ? gl.REPEAT : gl.CLAMP_TO_EDGE;
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, filters[texture.min_filter]!);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, filters[texture.mag_filter]!);
+    const wrap = (mode: number): number => (mode === 0 ? gl.REPEAT : gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap(texture.wrap_s));
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap(texture.wrap_t));
   }
@@ -374,13 +313,9 @@ export class WebGlPlayer {
     const { gl } = this;
     this.useProgram(draw, state);
     const modelview = product(turn, draw.eye_from_object);
-    gl.uniformMatrix4fv(this.place("modelview"), false, modelview);
-    gl.uniformMatrix3fv(
-      this.place("normalMatrix"),
-      false,
-      normalMatrix(modelview),
-    );
-    gl.uniform4fv(this.place("flatColor"), [
+    gl.uniformMatrix4fv(this.place('modelview'), false, modelview);
+    gl.uniformMatrix3fv(this.place('normalMatrix'), false, normalMatrix(modelview));
+    gl.uniform4fv(this.place('flatColor'), [
       ...(draw.color ?? [1, 1, 1]).slice(0, 3),
       state.color_source === 1 ? draw.material.alpha : (draw.color?.[3] ?? 1),
     ]);
@@ -398,26 +333,22 @@ export class WebGlPlayer {
   }
   private setLight({ material, lights }: Draw, turn: Matrix): void {
     const { gl } = this;
-    if (lights.length > mostLights)
-      throw new Error("more lights than the shader has");
-    for (const name of ["Ka", "Kd", "Ks", "Ke"] as const)
+    if (lights.length > mostLights) throw new Error('more lights than the shader has');
+    for (const name of ['Ka', 'Kd', 'Ks', 'Ke'] as const)
       gl.uniform3fv(this.place(name), [...material[name]]);
-    gl.uniform1f(this.place("Ns"), material.Ns);
-    gl.uniform1i(this.place("lights"), lights.length);
+    gl.uniform1f(this.place('Ns'), material.Ns);
+    gl.uniform1i(this.place('lights'), lights.length);
     if (lights.length === 0) return;
     const turned = ({ position }: Light): number[] =>
-      product(turn, [...position, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]).slice(
-        0,
-        4,
-      );
-    gl.uniform4fv(this.place("at"), lights.flatMap(turned));
-    for (const name of ["Ia", "Id", "Is"] as const)
+      product(turn, [...position, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]).slice(0, 4);
+    gl.uniform4fv(this.place('at'), lights.flatMap(turned));
+    for (const name of ['Ia', 'Id', 'Is'] as const)
       gl.uniform3fv(
         this.place(name),
         lights.flatMap((light) => [...light[name]]),
       );
     gl.uniform3fv(
-      this.place("falloff"),
+      this.place('falloff'),
       lights.flatMap((light) => [...light.attenuation]),
     );
   }
