@@ -22,6 +22,7 @@ std::string text_of(const std::string& value) { return value; }
 template <class T>
 std::string text_of(const std::vector<T>& values) {
     std::string text;
+    if (values.empty()) return "\u2013";
     for (const T& value : values) text += (text.empty() ? "" : ", ") + text_of(value);
     return text;
 }

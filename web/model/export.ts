@@ -1,5 +1,6 @@
 // A step as a picture file: SVG, PNG, or a range of steps as GIF.
 import { applyPalette, GIFEncoder, quantize } from 'gifenc';
+import { withCaption, type Lettering } from './caption';
 
 /** The drawing over the pixels, as one SVG without references. */
 export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string {
@@ -7,8 +8,8 @@ export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string
   const box = overlay.getBoundingClientRect();
   const [, , width = '0', height = '0'] = (svg.getAttribute('viewBox') ?? '').split(' ');
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
-  svg.setAttribute('width', String(box.width));
-  svg.setAttribute('height', String(box.height));
+  svg.setAttribute('width', String(Math.round(box.width)));
+  svg.setAttribute('height', String(Math.round(box.height)));
   const image = document.createElementNS('http://www.w3.org/2000/svg', 'image');
   image.setAttribute('href', canvas.toDataURL());
   image.setAttribute('width', width);
@@ -50,22 +51,36 @@ export function rangeOf(a: number | null, b: number | null, last: number): [numb
   return [Math.min(first, second), Math.max(first, second)];
 }
 
-/** `show` brings a step to the page and resolves when it is drawn. */
+/** A step on the page: its picture, the drawing over it, and its sentence. */
+export interface Shown {
+  readonly canvas: HTMLCanvasElement;
+  readonly overlay: SVGSVGElement;
+  readonly text: string;
+}
+
+/** How long the last step stays before a GIF begins again. */
+const rest = 2000;
+
+/**
+ * `show` brings a step to the page and resolves when it is drawn. Each picture has its sentence below.
+ */
 export async function gifOf(
   from: number,
   to: number,
   milliseconds: number,
-  show: (step: number) => Promise<{ canvas: HTMLCanvasElement; overlay: SVGSVGElement }>,
+  lettering: Lettering,
+  show: (step: number) => Promise<Shown>,
 ): Promise<Blob> {
   const gif = GIFEncoder();
   for (let step = from; step <= to; ++step) {
-    const { canvas, overlay } = await show(step);
-    const picture = await rastered(canvas, overlay);
+    const { canvas, overlay, text } = await show(step);
+    const picture = withCaption(await rastered(canvas, overlay), text, lettering);
     const { data, width, height } = picture
       .getContext('2d')!
       .getImageData(0, 0, picture.width, picture.height);
     const palette = quantize(data, 256);
-    gif.writeFrame(applyPalette(data, palette), width, height, { palette, delay: milliseconds });
+    const delay = step === to ? Math.max(rest, milliseconds) : milliseconds;
+    gif.writeFrame(applyPalette(data, palette), width, height, { palette, delay });
   }
   gif.finish();
   return new Blob([gif.bytes()], { type: 'image/gif' });

@@ -36,4 +36,5 @@ it('writes lists with commas and truth as the command does', () => {
   expect(textOf([1, 2.25])).toBe('1, 2.25');
   expect(textOf(true)).toBe('1');
   expect(textOf(['1a', '2'])).toBe('1a, 2');
+  expect(textOf([])).toBe('–');
 });

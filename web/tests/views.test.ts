@@ -7,7 +7,7 @@ import { parseLog, type Step } from '../model/steps/log';
 import { defaultSettings } from '../model/settings';
 import { inkOn } from '../model/palette';
 import { crossings, depthOfPixel, segmentsOfRow } from '../model/steps/scan_line';
-import { placed, treeOf } from '../model/steps/tree';
+import { nearest, placed, treeOf } from '../model/steps/tree';
 import { bestView, viewsOf } from '../model/steps/views';
 import { header, text } from './sample';
 
@@ -105,6 +105,11 @@ describe('a tree', () => {
       i === 0 ? node(0, 'root') : node(i, 'front', i - 1),
     );
     expect(placed(treeOf(chain))).toHaveLength(400);
+    const tree = treeOf(chain);
+    const last = [...tree.nodes.values()].at(-1)!;
+    const shown = nearest(placed(tree), (node) => node === last, tree)!;
+    expect(shown.depth).toBe(399);
+    expect(nearest(placed(tree), () => false, tree)!.depth).toBe(0);
   });
 });
 

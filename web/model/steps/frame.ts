@@ -18,6 +18,8 @@ export interface Frame {
   /** Pixels of the screen: width of lines, size of letters. */
   readonly stroke: number;
   readonly letters: number;
+  /** Width and height of the second view. */
+  readonly room: readonly [number, number];
 }
 
 /** The row that the row views show: the step's, the followed pixel's, or the middle one. */

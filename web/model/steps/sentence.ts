@@ -18,14 +18,14 @@ export function textOf(value: Value): string {
   if (typeof value === 'boolean') return value ? '1' : '0';
   if (typeof value === 'number') return Number.isInteger(value) ? String(value) : general(value);
   if (typeof value === 'string') return value;
-  return value.map((part) => textOf(part)).join(', ');
+  return value.length === 0 ? '–' : value.map((part) => textOf(part)).join(', ');
 }
 
 function wordOf(step: Step, name: string): string | undefined {
   const pieces = step.pieces ?? [];
   switch (name) {
     case 'pieces':
-      return pieces.join(', ');
+      return textOf(pieces);
     case 'first':
       return pieces[0];
     case 'second':

@@ -111,3 +111,20 @@ export function placed(tree: Tree, most = 400): Placed[] {
   }
   return all;
 }
+
+/** The place of the node in question; if it is left out, of what is above it. Without one the root's. */
+export function nearest(
+  places: readonly Placed[],
+  isWanted: (node: TreeNode) => boolean,
+  tree: Tree,
+): Placed | undefined {
+  const place = places.find((p) => isWanted(p.node));
+  if (place) return place;
+  const byNode = new Map(places.map((p) => [p.node, p]));
+  const above = new Map<TreeNode, TreeNode>();
+  for (const node of tree.nodes.values())
+    for (const child of [node.front, node.back]) if (child) above.set(child, node);
+  let node = [...tree.nodes.values()].find(isWanted);
+  while (node && !byNode.has(node)) node = above.get(node);
+  return (node && byNode.get(node)) ?? places[0];
+}

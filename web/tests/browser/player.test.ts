@@ -81,12 +81,12 @@ describePages('the player', (pages) => {
     const box = (await (await pages.page.$('.stack'))!.boundingBox())!;
     await pages.page.mouse.click(box.x + box.width * (8.5 / 16), box.y + box.height * (3.5 / 8));
     expect(await pages.hash()).toContain('pixel=8,3');
-    const next = await pages.page.$('::-p-text(Next step at this pixel)');
+    const next = await pages.page.$('::-p-aria(Next step at this pixel)');
     await next!.click();
     expect(await pages.textOf('output')).toBe('4 of 5');
     await next!.click();
     expect(await pages.textOf('output')).toBe('5 of 5');
-    expect((await pages.textOf('.lower-tools span')).replace(/\s+/g, ' ')).toBe('Pixel 8, 3: 2');
+    expect((await pages.textOf('.at-pixel span')).replace(/\s+/g, ' ')).toBe('Pixel 8, 3: 2');
   });
 
   it('shows every second view', async () => {
@@ -114,6 +114,21 @@ describePages('the player', (pages) => {
     await open([text()], '#step=5&lang=en');
     await pages.page.setViewport({ width: 390, height: 800 });
     expect(await pages.excess()).toBeLessThanOrEqual(0);
+  });
+
+  it('shows all of a step without scrolling on a projector of 1280x720', async () => {
+    for (const logs of [[text()], [text(), text()]])
+      for (const look of ['', '&projector=1'])
+        for (const view of ['top', 'side', 'row', 'depth', 'list']) {
+          await open(logs, `#step=3&lang=en&view=${view}${look}`);
+          await pages.excess(); // once it has been laid out
+          const parts = ['.bar', '.sentence', '.stack', '.second', '[role=tab]'];
+          for (const part of parts)
+            for (const bottom of await pages.page.$$eval(part, (all) =>
+              all.map((e) => e.getBoundingClientRect().bottom),
+            ))
+              expect(bottom, `${part} of ${view}${look}`).toBeLessThanOrEqual(720);
+        }
   });
 
   it('saves a step as SVG and a range as GIF', async () => {
