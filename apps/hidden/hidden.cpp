@@ -65,17 +65,19 @@ hs::Level level_from(const std::string& word) {
 }
 
 void add_output_options(CLI::App& command, HiddenOptions& options) {
-    command
-        .add_option(
-            "--steps", options.steps,
-            "For one algorithm, or two side by side: step log, its player, the last picture, SVG of "
-            "the pieces")
-        ->type_name("DIR");
+    CLI::Option* const steps =
+        command
+            .add_option(
+                "--steps", options.steps,
+                "For one algorithm, or two side by side: step log, its player, the last picture, SVG of "
+                "the pieces")
+            ->type_name("DIR");
     command
         .add_option_function<std::string>(
             "--level", [&](const std::string& word) { options.level = level_from(word); },
-            "One step is a polygon (default), line, span or pixel")
-        ->type_name("NAME");
+            "With --steps: one step is a polygon (default), line, span or pixel")
+        ->type_name("NAME")
+        ->needs(steps);
     command
         .add_option("--compare", options.compare,
                     "A sheet of all algorithms with difference pictures, and the counts as CSV, "

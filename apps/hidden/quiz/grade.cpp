@@ -98,6 +98,14 @@ std::map<std::string, std::string> read_answers(const std::filesystem::path& fil
     return answers;
 }
 
+/// A reason why most pixels are wrong, if they are; a list of another size often is.
+std::string hint_of(const hs::FragmentGrade& grade, const Size& size) {
+    if (2 * grade.right >= grade.expected) return "";
+    return fmt::format(
+        "most pixels are wrong: was the list made with --size {}x{} and with this camera?\n",
+        size.width, size.height);
+}
+
 std::string text_of(const hs::FragmentGrade& grade, const std::string& name) {
     constexpr std::size_t most = 20;
     std::string text = fmt::format(
@@ -208,6 +216,21 @@ std::optional<std::filesystem::path> answers_in(const std::filesystem::path& all
     return {};
 }
 
+/// Names every file and folder that belongs to no student: a misspelt one would count as missing.
+void warn_of_strangers(const std::filesystem::path& answers, const std::set<std::string>& folders) {
+    std::set<std::filesystem::path> strangers;
+    for (const auto& entry : std::filesystem::directory_iterator(answers)) {
+        const std::filesystem::path name = entry.path().filename();
+        const bool is_known =
+            folders.count(name.string()) > 0 ||
+            (name.extension() == ".json" && folders.count(name.stem().string()) > 0);
+        if (!is_known && name.string().front() != '.') strangers.insert(entry.path());
+    }
+    for (const std::filesystem::path& path : strangers)
+        print_warning(fmt::format("{}: belongs to no student; expected {}.json or {}/answers.json",
+                                  shown(path.string()), *folders.begin(), *folders.begin()));
+}
+
 std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesystem::path& keys,
                                                              const std::filesystem::path& answers) {
     if (!std::filesystem::is_directory(answers))
@@ -218,6 +241,7 @@ std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesyst
             folders.insert(entry.path().filename().string());
     if (folders.empty())
         fail(keys, "has no folder with key.json; expected the answers of gw hidden --students");
+    warn_of_strangers(answers, folders);
     std::vector<std::pair<std::string, GradedQuiz>> all;
     for (const std::string& folder : folders)
         all.emplace_back(folder, graded(keys / folder / "key.json", answers_in(answers, folder)));
@@ -299,7 +323,9 @@ int hidden_fragments(const HiddenOptions& options, Session& session) {
     if (!options.marked.empty())
         image::write_picture(options.marked,
                              marked(picture_of_ids(input, z_buffer, flat_colors(input)), grade));
-    print(options.form == Form::Json ? json_of(grade) : text_of(grade, shown(name)));
+    print(options.form == Form::Json
+              ? json_of(grade)
+              : text_of(grade, shown(name)) + hint_of(grade, options.picture.size));
     return grade.all_right() ? Done : Differs;
 }
 

@@ -209,7 +209,9 @@ TEST_F(Hidden, RefusesWhatMakesNoSense) {
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,bsp"}, {"one name twice"});
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp,appel"}, {"two of a kind"});
     expect_refused(2, {"hidden", cycle, "--algorithm", "bsp", "--compare", "c"}, {"--compare"});
-    expect_refused(2, {"hidden", cycle, "--level", "atom"}, {"--level 'atom'", "polygon"});
+    expect_refused(2, {"hidden", cycle, "--algorithm", "bsp", "--steps", "s", "--level", "atom"},
+                   {"--level 'atom'", "polygon"});
+    expect_refused(2, {"hidden", cycle, "--level", "pixel"}, {"--level", "--steps"});
     expect_refused(1, {"hidden", "none.toml"}, {"none.toml"});
     expect_refused(1, {"hidden", cycle, "--size", "16x12", "--compare", "no/such"}, {"no/such"});
 }
@@ -240,7 +242,10 @@ TEST_F(Hidden, GradesAFragmentList) {
     const Outcome right = hidden({"--fragments", "truth.csv"});
     EXPECT_EQ(right.code, 0) << right.err;
     EXPECT_NE(right.out.find("missing 0\ndoubled 0\nmisplaced 0\nwrong 0\n"), std::string::npos);
+    EXPECT_EQ(right.out.find("--size"), std::string::npos);
     write("mine.csv", "x,y,polygon\n0,0,1\n");
+    const std::string bad = hidden({"--fragments", "mine.csv"}).out;
+    EXPECT_NE(bad.find("was the list made with --size"), std::string::npos) << bad;
     const Outcome mine = hidden({"--fragments", "mine.csv", "--marked", "marked.png", "--json"});
     EXPECT_EQ(mine.code, 3);
     const auto grade = nlohmann::json::parse(mine.out);

@@ -111,12 +111,18 @@ TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
     give("02____Bo_b", true);
     const Outcome report = gw({"hidden", "--grade", "q/answers", "given", "--csv"});
     EXPECT_EQ(report.code, 3);
+    EXPECT_EQ(report.err, "");
     EXPECT_EQ(report.out.substr(0, report.out.find('\n')),
               "\"student\",\"seed\",\"right\",\"of\",\"1\",\"2\"");
     EXPECT_NE(report.out.find("\"01_Ann\",\"5\",\"2\",\"2\","), report.out.npos) << report.out;
     EXPECT_NE(report.out.find("\"02____Bo_b\",\"9\",\"1\",\"2\","), report.out.npos) << report.out;
     EXPECT_NE(report.out.find("(not z)"), report.out.npos) << report.out;
     EXPECT_NE(report.out.find("\",\"10\",\"0\",\"2\","), report.out.npos) << report.out;
+    // A misspelt file is named: its student counts as one without answers.
+    write("given/1_Ann.json", "{}");
+    EXPECT_EQ(gw({"hidden", "--grade", "q/answers", "given", "--csv"}).err,
+              "gw: warning: given/1_Ann.json: belongs to no student; expected 01_Ann.json or "
+              "01_Ann/answers.json\n");
     expect_refused(1, {"hidden", "--grade", "q/handout", "given"}, {"q/handout", "key.json"});
     expect_refused(1, {"hidden", "--grade", "q/answers", "class.csv"}, {"class.csv", "folder"});
     expect_refused(2, {"hidden", "--quiz", "p", "--students", "0"}, {"--students '0'"});
