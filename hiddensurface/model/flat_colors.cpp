@@ -2,6 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "hiddensurface/model/normal.h"
+#include "scene/scene_builder.h"
 
 #include <fmt/format.h>
 
@@ -22,6 +23,13 @@ dvec3 first_color(const scene::Material& material) {
     for (const vec3& color : {material.Kd, material.Ke, material.Ka, material.Ks})
         if (color != vec3(0)) return dvec3(color);
     return dvec3(0.3);
+}
+
+/// Whether it stands for no material: without a name, or what a file without materials gets.
+bool is_none(const scene::Material& material) {
+    const scene::Material& none = scene::default_material();
+    return material.name.empty() || (material.name == none.name && material.Kd == none.Kd &&
+                                     material.Ka == none.Ka && material.Ks == none.Ks);
 }
 
 /// One of many hues: neighbouring numbers are far apart on the circle.
@@ -49,7 +57,7 @@ std::map<std::uint32_t, FlatColor> flat_colors(const Input& input) {
     for (const Polygon& polygon : input.polygons) {
         const scene::Material& material =
             input.scene.materials.at(input.scene.objects[polygon.object].material);
-        const dvec3 color = material.name.empty() ? own_color(polygon.id) : first_color(material);
+        const dvec3 color = is_none(material) ? own_color(polygon.id) : first_color(material);
         colors[polygon.id] = to_flat(color * (0.4 + 0.6 * facing(polygon, input.view.camera.eye)));
     }
     return colors;

@@ -1,12 +1,16 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7,
 // L8]
+#include "hiddensurface/model/flat_colors.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"
 #include "hiddensurface/structures/merge_sort.h"
 #include "hiddensurface/structures/scan_conversion.h"
+#include "scene/scene_builder.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
+
+#include <set>
 
 namespace gw::hiddensurface {
 namespace {
@@ -28,6 +32,22 @@ std::vector<int> coverage(const std::vector<std::array<GridPoint, 3>>& triangles
 }
 
 }  // namespace
+
+TEST(FlatColors, DifferWithoutAMaterialAndAreTheMaterialsOtherwise) {
+    scene::Scene scene = case_scene("cycle");
+    std::set<std::string> own;
+    for (scene::Material& material : scene.materials) material = scene::default_material();
+    const Trial without(scene);
+    for (const auto& [id, color] : hex_colors(without.input)) own.insert(color);
+    EXPECT_EQ(own.size(), 4u);  // three polygons and the background
+    const auto is_grey = [](const FlatColor& c) { return c[0] == c[1] && c[1] == c[2]; };
+    for (const auto& [id, color] : flat_colors(without.input))
+        EXPECT_TRUE(id == 0 || !is_grey(color)) << id;
+    for (scene::Material& material : scene.materials) material.name = "plaster";
+    const Trial with(scene);
+    for (const auto& [id, color] : flat_colors(with.input))
+        EXPECT_TRUE(id == 0 || is_grey(color)) << id;
+}
 
 TEST(Normal, PointsToTheSideThatRunsCounterClockwise) {
     EXPECT_EQ(face_normal({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), dvec3(0, 0, 1));
