@@ -1,43 +1,33 @@
 // The frames that the lab's benchmark draws by WebGL, as JSON: meshes, textures, and the commands of
-// one frame with the part of the state that these frames use. Arrays are base64. Does not draw.
+// one frame with the part of the state that these frames use. Does not draw.
 // Usage: bench_lab_frames SCENE RENDERER WIDTH HEIGHT > FRAME.json
 #include "image/textures.h"
 #include "multipass/frame/driver.h"
 #include "scene/draw/fit.h"
 #include "scene/read_scene.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstdlib>
-#include <cstring>
+#include <cstdint>
 #include <iostream>
 #include <map>
-#include <span>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace gw::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string base64(std::span<const std::byte> bytes) {
-    constexpr const char* digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-        unsigned word = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            word = word << 8 | (k < n ? std::to_integer<unsigned>(bytes[i + k]) : 0);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += k <= n ? digits[word >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
-template <class Value>
-std::string base64(const std::vector<Value>& values) {
-    return base64(std::as_bytes(std::span(values)));
+/// The floats of vectors, one after another.
+template <class Vector>
+Json numbers_of(const std::vector<Vector>& vectors) {
+    Json numbers = Json::array();
+    for (const Vector& v : vectors)
+        for (int i = 0; i < Vector::length(); ++i) numbers.push_back(v[i]);
+    return numbers;
 }
 
 Json json_of(const vec3& v) { return {v.x, v.y, v.z}; }
@@ -60,16 +50,16 @@ Json json_of(const Mesh& mesh) {
     std::vector<vec4> positions;
     for (std::size_t i = 0; i < data.positions.size(); ++i)
         positions.emplace_back(data.positions[i], data.w.empty() ? 1.0f : data.w[i]);
-    return {{"positions", base64(positions)},
-            {"normals", base64(data.normals)},
-            {"texcoords", base64(data.texcoords)},
-            {"indices", base64(indices)}};
+    return {{"positions", numbers_of(positions)},
+            {"normals", numbers_of(data.normals)},
+            {"texcoords", numbers_of(data.texcoords)},
+            {"indices", indices}};
 }
 
 Json json_of(const Texture& texture) {
     std::vector<std::uint8_t> rgba;
     for (const std::uint16_t v : texture.levels.front().rgba) rgba.push_back(std::uint8_t(v >> 8));
-    return {{"width", texture.width()}, {"height", texture.height()}, {"rgba", base64(rgba)}};
+    return {{"width", texture.width()}, {"height", texture.height()}, {"rgba", rgba}};
 }
 
 Json json_of(const StencilFace& f) {
@@ -192,13 +182,18 @@ void write(const std::string& path, const std::string& renderer, int width, int 
 }  // namespace gw::bench
 
 int main(int count, char** arguments) {
-    if (count != 5) {
-        std::cerr << "usage: bench_lab_frames SCENE RENDERER WIDTH HEIGHT\n";
-        return 2;
-    }
+    CLI::App app{"Writes the frame of a scene for WebGL, as JSON, to standard output"};
+    std::string path, renderer;
+    int width = 0, height = 0;
+    app.add_option("scene", path, "scene file")->required()->check(CLI::ExistingFile);
+    app.add_option("renderer", renderer, "hardware or multipass")
+        ->required()
+        ->check(CLI::IsMember({"hardware", "multipass"}));
+    app.add_option("width", width, "pixels")->required()->check(CLI::Range(1, 4096));
+    app.add_option("height", height, "pixels")->required()->check(CLI::Range(1, 4096));
+    CLI11_PARSE(app, count, arguments);
     try {
-        gw::bench::write(arguments[1], arguments[2], std::atoi(arguments[3]),
-                         std::atoi(arguments[4]));
+        gw::bench::write(path, renderer, width, height);
     } catch (const std::exception& error) {
         std::cerr << "bench_lab_frames: " << error.what() << '\n';
         return 1;

@@ -1,5 +1,12 @@
 // The shaders that draw a frame of bench_lab_frames: the machine's lights at the vertices.
 export const mostLights = 4;
+const varyings = `varying vec4 color;
+#ifdef TWO_SIDE
+varying vec4 backColor;
+#endif
+#ifdef TEXTURED
+varying vec2 st;
+#endif`;
 /** A program does no more than its draws need: LIT, TWO_SIDE, GENERATED, TEXTURED. */
 export const vertexShader = `
 precision highp float;
@@ -16,13 +23,7 @@ uniform int lights;
 uniform bool localViewer;
 uniform vec4 at[${mostLights}];
 uniform vec3 Ia[${mostLights}], Id[${mostLights}], Is[${mostLights}], falloff[${mostLights}];
-varying vec4 color;
-#ifdef TWO_SIDE
-varying vec4 backColor;
-#endif
-#ifdef TEXTURED
-varying vec2 st;
-#endif
+${varyings}
 vec3 litColor(vec3 p, vec3 n) {
   vec3 sum = Ke + modelAmbient * Ka;
   vec3 viewer = localViewer ? normalize(-p) : vec3(0, 0, 1);
@@ -66,12 +67,8 @@ void main() {
 }`;
 export const fragmentShader = `
 precision mediump float;
-varying vec4 color;
-#ifdef TWO_SIDE
-varying vec4 backColor;
-#endif
+${varyings}
 #ifdef TEXTURED
-varying vec2 st;
 uniform sampler2D image;
 #endif
 void main() {

@@ -69,18 +69,15 @@ export interface Frame {
   eye_from_world: Matrix;
   at: Part;
   meshes: {
-    positions: string;
-    normals: string;
-    texcoords: string;
-    indices: string;
+    positions: number[];
+    normals: number[];
+    texcoords: number[];
+    indices: number[];
   }[];
-  textures: { width: number; height: number; rgba: string }[];
+  textures: { width: number; height: number; rgba: number[] }[];
   commands: { clear?: Clear; state?: State; draw?: Draw }[];
 }
 
-function bytes(base64: string): ArrayBuffer {
-  return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
-}
 /** a b, by columns. */
 function product(a: Matrix, b: Matrix): number[] {
   return Array.from({ length: 16 }, (_, i) => {
@@ -136,19 +133,18 @@ export class WebGlPlayer {
     if (!gl.getExtension('OES_element_index_uint')) throw new Error('no indices of 32 bits');
     this.gl = gl;
     this.meshes = frame.meshes.map((mesh) => {
-      const indices = new Uint32Array(bytes(mesh.indices));
       return {
-        buffers: [mesh.positions, mesh.normals, mesh.texcoords].map((text) =>
-          text === '' ? undefined : this.buffer(gl.ARRAY_BUFFER, bytes(text)),
+        buffers: [mesh.positions, mesh.normals, mesh.texcoords].map((values) =>
+          values.length === 0 ? undefined : this.buffer(gl.ARRAY_BUFFER, new Float32Array(values)),
         ),
-        indices: this.buffer(gl.ELEMENT_ARRAY_BUFFER, indices.buffer),
-        count: indices.length,
+        indices: this.buffer(gl.ELEMENT_ARRAY_BUFFER, new Uint32Array(mesh.indices)),
+        count: mesh.indices.length,
       };
     });
     this.textures = frame.textures.map(({ width, height, rgba }) => {
       const texture = gl.createTexture()!;
       gl.bindTexture(gl.TEXTURE_2D, texture);
-      const texels = new Uint8Array(bytes(rgba));
+      const texels = new Uint8Array(rgba);
       gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE, texels);
       gl.generateMipmap(gl.TEXTURE_2D);
       return texture;
@@ -197,10 +193,10 @@ export class WebGlPlayer {
     gl.linkProgram(program);
     return { program, places: new Map() };
   }
-  private buffer(kind: number, data: ArrayBuffer | ArrayBufferLike): WebGLBuffer {
+  private buffer(kind: number, data: Float32Array | Uint32Array): WebGLBuffer {
     const buffer = this.gl.createBuffer()!;
     this.gl.bindBuffer(kind, buffer);
-    this.gl.bufferData(kind, data as ArrayBuffer, this.gl.STATIC_DRAW);
+    this.gl.bufferData(kind, data, this.gl.STATIC_DRAW);
     return buffer;
   }
   private place(name: string): WebGLUniformLocation | null {

@@ -1,6 +1,6 @@
 // How long a player takes from a click to the picture: for each page the steps it holds, and the
 // median and longest time of one step on and of a jump to any step, with the wait for the screen.
-//   node tests/time_steps.js PLAYER.html...
+// scripts/time-player calls it.
 import { statSync } from 'node:fs';
 import { resolve } from 'node:path';
 import puppeteer from 'puppeteer-core';
