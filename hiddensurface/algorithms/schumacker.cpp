@@ -9,7 +9,7 @@
 // the scene's author kept such faces in different clusters. Here a set without priorities is divided
 // by a plane between its faces. If there is none, the plane of a face divides it and cuts others
 // (counted: splits). Every face of a cluster is compared with every other. That is quadratic, so
-// clusters have at most 512 faces, except convex solids.
+// clusters have at most 512 faces, except convex solids, whose outer sides come before all inner ones.
 //
 // Ours: both sides of every face, since the machine draws both.
 #include "hiddensurface/model/world_piece.h"
@@ -57,7 +57,6 @@ Output run(const Input& input, StepLog& log) {
     output.counts.planes = tree.plane_tests;
     output.counts.nodes = tree.clusters + tree.separations;
     output.counts.splits = tree.splits;
-    output.counts.undecided = tree.cyclic;
     output.counts.peak_bytes = tree.comparison_bytes + output.counts.nodes * sizeof(ClusterNode) +
                                tree.pieces * (sizeof(TreePiece) + 2 * sizeof(RankedSide));
     if (log.on()) log_clusters(input, tree, log);

@@ -19,6 +19,17 @@ struct Reach {
     bool front = false, back = false;
 };
 
+/// Greatest number first. Sides are numbered 2 i (front) and 2 i + 1.
+std::vector<RankedSide> in_order(const std::vector<std::size_t>& priority) {
+    std::vector<RankedSide> sides;
+    for (std::size_t a = priority.size(); a-- > 0;)
+        sides.push_back({a / 2, a % 2 == 0, priority[a]});
+    std::stable_sort(sides.begin(), sides.end(), [](const RankedSide& a, const RankedSide& b) {
+        return a.priority > b.priority;
+    });
+    return sides;
+}
+
 class Priorities {
 public:
     Priorities(const std::vector<TreePiece>& pieces, const std::vector<dvec4>& planes,
@@ -55,15 +66,6 @@ public:
         return in_order(priority);
     }
 
-    std::vector<RankedSide> in_order(const std::vector<std::size_t>& priority) const {
-        std::vector<RankedSide> sides;
-        for (std::size_t a = 2 * n_; a-- > 0;) sides.push_back({a / 2, a % 2 == 0, priority[a]});
-        std::stable_sort(sides.begin(), sides.end(), [](const RankedSide& a, const RankedSide& b) {
-            return a.priority > b.priority;
-        });
-        return sides;
-    }
-
 private:
     static Reach reach_of(Place place) {
         return {place == Place::Front || place == Place::Both,
@@ -71,9 +73,9 @@ private:
     }
     static bool across(const Reach& reach) { return reach.front && reach.back; }
 
-    /// Sides are numbered 2 i (front) and 2 i + 1. Side a may hide b if a has a point in front of b's
-    /// side, and b has one behind a's: on the line through the two points is an eye that sees a
-    /// before b. Of two sides in one plane, the scene's first is seen.
+    /// Side a may hide b if a has a point in front of b's side, and b has one behind a's: on the line
+    /// through the two points is an eye that sees a before b. Of two sides in one plane, the scene's
+    /// first is seen.
     bool may_hide(std::size_t a, std::size_t b) const {
         const std::size_t i = a / 2, k = b / 2;
         if (i == k) return false;
@@ -140,8 +142,7 @@ private:
         Separation best = between(pieces);
         if (best.cost == none) best = by_a_face(pieces);
         if (best.cost == none) {
-            // Every face has all others behind it: one convex solid, or rounding.
-            if (!make_cluster(pieces, node)) force_cluster(pieces, node);
+            make_convex(pieces, node);
             return;
         }
         tree_.separations += 1;
@@ -167,10 +168,18 @@ private:
         return true;
     }
 
-    void force_cluster(std::vector<TreePiece>& pieces, ClusterNode& out) {
-        tree_.cyclic += 1;
-        finish(pieces, priorities(pieces).in_order(std::vector<std::size_t>(2 * pieces.size(), 1)),
-               out);
+    /// Of faces whose planes have no other in front: a convex solid, or all in one plane. Only inner
+    /// sides are hidden, by outer ones, so no face is compared with another.
+    void make_convex(std::vector<TreePiece>& pieces, ClusterNode& out) {
+        const dvec4 first = plane(pieces.front());
+        const bool solid = std::any_of(pieces.begin(), pieces.end(), [&](const TreePiece& piece) {
+            return place_of(piece, first, tolerance_) == Place::Back;
+        });
+        tree_.plane_tests += pieces.size();
+        std::vector<std::size_t> priority(2 * pieces.size(), 1);
+        for (std::size_t inner = 1; solid && inner < priority.size(); inner += 2)
+            priority[inner] = 2;
+        finish(pieces, in_order(priority), out);
     }
 
     void finish(std::vector<TreePiece>& pieces, std::vector<RankedSide> sides, ClusterNode& out) {

@@ -27,7 +27,6 @@ struct ClusterTree {
     std::vector<ClusterNode> nodes;  ///< the root first
     std::uint64_t clusters = 0, separations = 0, pieces = 0, splits = 0, plane_tests = 0;
     std::uint64_t comparison_bytes = 0;  ///< peak memory of comparing a cluster's faces
-    std::uint64_t cyclic = 0;  ///< clusters that have no priorities and that no plane divides
 };
 
 /// A face is cut only if no plane separates the faces without a cut.

@@ -5,6 +5,7 @@
 #include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
 #include "hiddensurface/structures/region.h"
+#include "scene/shapes/shapes.h"
 #include "tests/hiddensurface/small_families.h"
 
 #include <gtest/gtest.h>
@@ -260,7 +261,6 @@ TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
         Trial trial(convex_solids(seed), vgx(), 72, 54);
         const ClusterTree tree = build_clusters(trial.input.polygons, {});
         EXPECT_EQ(tree.splits, 0u) << seed;
-        EXPECT_EQ(tree.cyclic, 0u) << seed;
         EXPECT_EQ(tree.clusters, tree.separations + 1);
         cut_by_the_bsp_tree += trial.run("bsp").counts.splits;
     }
@@ -273,6 +273,38 @@ TEST(Schumacker, CutsNothingOfConvexSolidsThatPlanesSeparate) {
     EXPECT_EQ(tree.clusters, 1u);
     for (const RankedSide& side : tree.nodes[0].sides)
         EXPECT_EQ(side.priority, side.front ? 1u : 2u);
+}
+
+// Above 512 faces no face is compared with another, so the memory grows with the faces.
+TEST(Schumacker, RanksALargeConvexSolidWithoutComparingItsFaces) {
+    Trial trial(polygon_scene(scene::make_icosphere(1, 3)));
+    const std::size_t faces = trial.input.polygons.size();
+    ASSERT_EQ(faces, 1280u);
+    const ClusterTree tree = build_clusters(trial.input.polygons, {});
+    EXPECT_EQ(tree.clusters, 1u);
+    EXPECT_EQ(tree.comparison_bytes, 0u);
+    for (const RankedSide& side : tree.nodes[0].sides)
+        EXPECT_EQ(side.priority, side.front ? 1u : 2u);
+    EXPECT_EQ(trial.run("schumacker").counts.wrong, 0u);
+}
+
+// Of faces in one plane the scene's first is seen, from both sides and whichever way it faces.
+TEST(Schumacker, ShowsTheFirstOfManyFacesInOnePlane) {
+    MeshData data{.primitive = Primitive::Quads};
+    Random random(3);
+    for (int i = 0; i < 700; ++i) {
+        const auto x = float(random(-1.5, 1)), y = float(random(-1, 0.5));
+        std::vector<vec3> corners{
+            {x, y, 0}, {x + 0.5f, y, 0}, {x + 0.5f, y + 0.5f, 0}, {x, y + 0.5f, 0}};
+        if (i % 2 == 1) std::reverse(corners.begin(), corners.end());
+        data.positions.insert(data.positions.end(), corners.begin(), corners.end());
+    }
+    for (const double z : {6, -6}) {
+        scene::Scene scene = polygon_scene(data);
+        scene.camera->eye = {0, 0, z};
+        Trial trial(std::move(scene));
+        EXPECT_EQ(trial.run("schumacker").ids, trial.z_buffer.ids) << z;
+    }
 }
 
 TEST(Schumacker, DividesWhatHasNoPriorities) {
