@@ -1,8 +1,9 @@
 // bench_radiosity -o DIR: hemicubes per second against resolution, texels and polygons, with the
 // exponents of growth. Beside them, if OSMesa is installed, the same five ID buffers drawn and read
-// back through llvmpipe, with LP_NUM_THREADS threads. Then the Cornell box with 64 texels along a
-// wall to 1 % unshot, with the shares of drawing and scanning. Times are the least of interleaved
-// repeats. Does not compare results.
+// back through llvmpipe, with LP_NUM_THREADS threads. If Embree is installed, the same hemicubes
+// gathered by one ray a pixel, on one thread; it says how many pixels differ. Then the Cornell box
+// with 64 texels along a wall to 1 % unshot, with the shares of drawing and scanning. Times are the
+// least of interleaved repeats.
 #include "gw/base/parallel.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
@@ -10,6 +11,9 @@
 #include "scene/read_scene.h"
 #include "study/plot/plot.h"
 
+#ifdef GW_WITH_EMBREE
+#include "bench/radiosity/embree_hemicube.h"
+#endif
 #ifdef GW_WITH_OSMESA
 #include "bench/radiosity/opengl_hemicube.h"
 #endif
@@ -67,6 +71,7 @@ struct Row {
     double x = 0;
     double drawn = 1e9, whole = 1e9;  ///< five ID buffers drawn and read; scanned and summed too
     double llvmpipe = 1e9;            ///< drawn and read
+    double embree = 1e9;              ///< gathered
 };
 
 /// A painter for each thread, as FormFactors has them [F4].
@@ -89,6 +94,21 @@ private:
     std::vector<radiosity::IdBuffers> buffers_;
 };
 
+#ifdef GW_WITH_EMBREE
+/// The part of a hemicube's pixels that show another facet.
+double differing(const radiosity::PixmapModel& model, const radiosity::Hemicube& cube, int size,
+                 EmbreeHemicube& peer) {
+    radiosity::IdBuffers buffers;
+    radiosity::HemicubePainter(size).draw(model, cube, buffers);
+    peer.gather(cube);
+    std::size_t i = 0, differ = 0;
+    for (const radiosity::IdBuffer& buffer : buffers)
+        for (const std::uint32_t pixel : buffer.pixels)
+            differ += (pixel & 0xFFFFFF) != peer.ids()[i++] ? 1 : 0;
+    return double(differ) / double(i);
+}
+#endif
+
 Row measure(double x, int size, double texels, int segments, const Options& options) {
     const radiosity::PixmapModel model =
         radiosity::make_model(box_with(segments), {.texels_per_unit = texels});
@@ -105,6 +125,11 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
 #ifdef GW_WITH_OSMESA
     OpenGlHemicube peer(model, size);
 #endif
+#ifdef GW_WITH_EMBREE
+    EmbreeHemicube embree(model, size);
+    fmt::print("{:g}: {:.2f} % of the pixels differ from Embree's\n", x,
+               100 * differing(model, cubes[0], size, embree));
+#endif
     Row row{.x = x};
     const auto least = [&](double& best, const auto& run) {
         best = std::min(best, milliseconds(run) / at_once);
@@ -115,6 +140,11 @@ Row measure(double x, int size, double texels, int segments, const Options& opti
 #ifdef GW_WITH_OSMESA
         least(row.llvmpipe, [&] {
             for (const radiosity::Hemicube& cube : cubes) peer.draw(cube);
+        });
+#endif
+#ifdef GW_WITH_EMBREE
+        least(row.embree, [&] {
+            for (const radiosity::Hemicube& cube : cubes) embree.gather(cube);
         });
 #endif
     }
@@ -128,16 +158,20 @@ void report(const std::string& name, const std::string& label, const std::vector
                                            options.folder.string(), options.threads),
                     .x = {.label = label, .log = 2},
                     .y = {.label = "milliseconds", .log = 10}};
-    fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}\n", name, "drawn", "whole", "llvmpipe", "ratio");
-    for (const Row& r : rows) {
-        const bool peer = r.llvmpipe < 1e9;
-        fmt::print("{:<10g}{:>10.3f}{:>10.3f}{:>14}{:>10}\n", r.x, r.drawn, r.whole,
-                   peer ? fmt::format("{:.3f}", r.llvmpipe) : "-",
-                   peer ? fmt::format("{:.2f}", r.llvmpipe / r.drawn) : "-");
-    }
+    fmt::print("\n{:<10}{:>10}{:>10}{:>14}{:>10}{:>10}{:>10}\n", name, "drawn", "whole", "llvmpipe",
+               "ratio", "Embree", "ratio");
+    const auto ratio = [](double peer, double ours) {
+        return peer < 1e9 ? fmt::format("{:.2f}", peer / ours) : "-";
+    };
+    const auto time = [](double peer) { return peer < 1e9 ? fmt::format("{:.3f}", peer) : "-"; };
+    for (const Row& r : rows)
+        fmt::print("{:<10g}{:>10.3f}{:>10.3f}{:>14}{:>10}{:>10}{:>10}\n", r.x, r.drawn, r.whole,
+                   time(r.llvmpipe), ratio(r.llvmpipe, r.drawn), time(r.embree),
+                   ratio(r.embree, r.whole));
     for (const auto& [what, value] : {std::pair{"drawn and read", &Row::drawn},
                                       {"with scan and sum", &Row::whole},
-                                      {"llvmpipe, drawn and read", &Row::llvmpipe}}) {
+                                      {"llvmpipe, drawn and read", &Row::llvmpipe},
+                                      {"Embree, one ray a pixel", &Row::embree}}) {
         plot::Series line{.name = what, .points = {}};
         for (const Row& r : rows)
             if (r.*value < 1e9) line.points.push_back({r.x, r.*value});
@@ -176,7 +210,7 @@ Shares shares_of(const radiosity::PixmapModel& model) {
                                                     point.size / 64, 1.01 * model.extent, 128),
                              buffers);
         });
-        sum.whole += milliseconds([&] { factors.from_points(points, p); });
+        sum.whole += milliseconds([&] { factors.from_patch(p); });
     }
     return {sum.drawn / double(hemicubes), sum.whole / double(hemicubes)};
 }
@@ -227,7 +261,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     gw::bench::Options options;
     CLI::App app{
-        "Hemicubes per second, beside llvmpipe.\nExample: bench_radiosity -o hemicubes --cornell"};
+        "Hemicubes per second, beside llvmpipe and Embree.\nExample: bench_radiosity -o hemicubes --cornell"};
     app.add_option("-o,--output", options.folder, "folder of plots and their numbers");
     app.add_option("--repeats", options.repeats, "timed repeats")->check(CLI::Range(1, 1000));
     app.add_option("--threads", options.threads, "that draw, each its own hemicubes")

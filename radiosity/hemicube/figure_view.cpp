@@ -86,12 +86,18 @@ bool shown_near(const SeenIds& seen, const dvec3& p, std::uint32_t id) {
 }
 
 double exact_factor(const FigureView& view, const Polygon2& polygon) {
+    std::array<dvec3, std::tuple_size_v<decltype(polygon.p)>> corners;
+    for (int i = 0; i < polygon.n; ++i)
+        corners[std::size_t(i)] = view.at(polygon[i].x, polygon[i].y);
+    return exact_factor(std::span(corners).first(std::size_t(polygon.n)));
+}
+
+double exact_factor(std::span<const dvec3> corners) {
     // cut at the horizon
     std::array<dvec3, 16> p;
     std::size_t n = 0;
-    for (int i = 0; i < polygon.n; ++i) {
-        const dvec2 &q = polygon[i], &r = polygon[i + 1 < polygon.n ? i + 1 : 0];
-        const dvec3 a = view.at(q.x, q.y), b = view.at(r.x, r.y);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const dvec3 &a = corners[i], &b = corners[i + 1 < corners.size() ? i + 1 : 0];
         if (a.z >= 0) p[n++] = a;
         if ((a.z >= 0) != (b.z >= 0)) p[n++] = a + (b - a) * (a.z / (a.z - b.z));
     }

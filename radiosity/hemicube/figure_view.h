@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace gw::radiosity {
 
@@ -55,5 +56,7 @@ inline double reach_of_border(int size) { return 2.8284271247461903 / size; }
 /// The form factor of a part of the plane in closed form (Lambert): of the polygon (in texels),
 /// above the horizon.
 double exact_factor(const FigureView& view, const Polygon2& polygon);
+/// Of any plane polygon, its corners seen from the point as FigureView has them.
+double exact_factor(std::span<const dvec3> corners);
 
 }  // namespace gw::radiosity

@@ -2,6 +2,7 @@
 
 #include "gw/base/parallel.h"
 #include "gw/error.h"
+#include "radiosity/hemicube/near_texels.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,13 @@ bool is_present(const IdBuffers& buffers, std::uint32_t facet) {
                        [&](const IdBuffer& buffer) { return buffer.present[facet + 1] != 0; });
 }
 
+/// None if no texels of this facet are near.
+const NearTexels* texels_of(const NearPart& part, std::uint32_t facet) {
+    for (const NearTexels& texels : part.texels)
+        if (texels.facet == facet) return &texels;
+    return nullptr;
+}
+
 }  // namespace
 
 void check(const FormFactorOptions& options) {
@@ -67,6 +75,12 @@ void check(const FormFactorOptions& options) {
     if (!(options.points.nearness > 0) || !(options.points.smallest_part > 0) ||
         !(options.points.smallest_of_pixmap > 0) || !(options.points.emitter_part > 0))
         throw Error("options of a patch's points that are not above 0; expected positive numbers");
+}
+
+PointOptions point_options(const FormFactorOptions& options) {
+    PointOptions points = options.points;
+    points.near_parts = points.near_parts && by_texels(options.scan);
+    return points;
 }
 
 FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& options)
@@ -82,25 +96,82 @@ FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& opti
 }
 
 Row FormFactors::from_patch(std::size_t patch) {
-    return from_points(points_of(model_, model_.patches[patch], options_.points), patch);
+    return from(shooting_of(model_, model_.patches[patch], point_options(options_)), patch);
 }
 
 Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_t turns) {
+    return from({.points = points, .near_parts = {}}, turns);
+}
+
+Row FormFactors::from(const Shooting& shooting, std::uint64_t turns) {
+    const std::vector<ShootPoint>& points = shooting.points;
     Row row;
     row.hemicubes = static_cast<int>(points.size());
+    double enclosed = 0;
     std::fill(factors_.begin(), factors_.end(), 0.0);
     for (std::size_t first = 0; first < points.size(); first += slots) {
         const std::size_t count = std::min(slots, points.size() - first);
-        draw(points, first, count, turns);
+        draw(shooting, first, count, turns);
         scan(count);
-        sum(points, first, count, row);
+        enclosed += sum(points, first, count, row);
     }
+    const double shares = divide_among_open(row, enclosed);
+    if (!shooting.near_parts.empty()) add_near(shooting.near_parts, shares, row);
     for (std::size_t t = 0; t < factors_.size(); ++t) {
         if (factors_[t] == 0) continue;
         row.texels.push_back(static_cast<std::uint32_t>(t));
         row.factors.push_back(factors_[t]);
     }
     return row;
+}
+
+/// Points that see nothing but backs are inside of something that stands on the patch. No light
+/// falls there, so it comes from the other points. Returns by how much their shares grow.
+double FormFactors::divide_among_open(Row& row, double enclosed) {
+    if (enclosed == 0) return 1;
+    if (enclosed > 1 - 1e-9) {
+        row.backs += enclosed;
+        return 1;
+    }
+    const double grow = 1 / (1 - enclosed);
+    for (double& factor : factors_) factor *= grow;
+    row.escaped *= grow;
+    row.backs *= grow;
+    return grow;
+}
+
+// The points' hemicubes and the near texels see the same light in two ways. All of it goes
+// somewhere: the other texels are scaled, as the near ones are exact.
+void FormFactors::add_near(const std::vector<NearPart>& parts, double shares, Row& row) {
+    struct Texel {
+        const NearPart* part;
+        const NearTexels* texels;
+        int u, v;
+        double factor = 0;
+    };
+    std::vector<Texel> list;
+    for (const NearPart& part : parts)
+        for (const NearTexels& texels : part.texels)
+            for (int v = texels.first.y; v < texels.end.y; ++v)
+                for (int u = texels.first.x; u < texels.end.x; ++u)
+                    list.push_back({&part, &texels, u, v});
+    parallel_for(list.size(), options_.threads, [&](std::size_t i, int) {
+        Texel& t = list[i];
+        t.factor = shares * t.part->share * near_factor(model_, *t.part, *t.texels, t.u, t.v);
+    });
+    double near = 0;
+    for (const Texel& t : list) near += t.factor;
+    const double far = sum_of(factors_), left = 1 - row.escaped - row.backs;
+    const bool only_far = far > 0 && std::abs((left - near) / far - 1) < 0.5;
+    if (only_far)
+        for (double& factor : factors_) factor *= (left - near) / far;
+    for (const Texel& t : list) {
+        const Pixmap& pixmap = model_.pixmaps[model_.facets[t.texels->facet].pixmap];
+        const std::uint32_t element = model_.nearest[pixmap.texel(t.u, t.v)];
+        if (element != no_texel) factors_[element] += t.factor;
+    }
+    if (!only_far)
+        for (double& factor : factors_) factor *= left / (near + far);
 }
 
 Hemicube FormFactors::hemicube_on(const std::vector<ShootPoint>& points, std::size_t number,
@@ -112,12 +183,14 @@ Hemicube FormFactors::hemicube_on(const std::vector<ShootPoint>& points, std::si
 }
 
 // [F4] (1): the ID buffers are drawn in parallel.
-void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+void FormFactors::draw(const Shooting& shooting, std::size_t first, std::size_t count,
                        std::uint64_t turns) {
     parallel_for(count, options_.threads, [&](std::size_t i, int worker) {
         if (options_.cancel && *options_.cancel) return;
         Slot& slot = slots_[i];
-        slot.hemicube = hemicube_on(points, first + i, turns);
+        slot.hemicube = hemicube_on(shooting.points, first + i, turns);
+        const std::uint32_t near = shooting.points[first + i].near_part;
+        slot.beside = near < shooting.near_parts.size() ? &shooting.near_parts[near] : nullptr;
         auto& painter = scratch_[std::size_t(worker)].painter;
         if (!painter)
             painter =
@@ -130,6 +203,7 @@ void FormFactors::draw(const std::vector<ShootPoint>& points, std::size_t first,
         slot.factors.resize(model_.texel_count());
         slot.sums.resize(model_.pixmaps.size());
         slot.backs.resize(model_.pixmaps.size());
+        slot.left_out.resize(model_.pixmaps.size());
     });
     if (options_.cancel && *options_.cancel) throw Canceled{};
 }
@@ -145,14 +219,16 @@ void FormFactors::scan(std::size_t count) {
 
 void FormFactors::scan_pixmap(Slot& slot, std::uint32_t number, Scratch& scratch) const {
     const Pixmap& pixmap = model_.pixmaps[number];
-    slot.backs[number] = slot.sums[number] = 0;
+    slot.backs[number] = slot.sums[number] = slot.left_out[number] = 0;
     bool is_set = false;
     const auto texels = std::span(slot.factors).subspan(pixmap.first, pixmap.count());
     for (const std::uint32_t facet : pixmap.facets) {
         if (!is_present(slot.buffers, facet)) continue;
         if (!is_set) std::fill(texels.begin(), texels.end(), 0.0);
         is_set = true;
-        slot.backs[number] += scan_facet(slot, facet, scratch);
+        const NearTexels* const near = slot.beside ? texels_of(*slot.beside, facet) : nullptr;
+        slot.backs[number] += near ? scan_beside(slot, *near, scratch)
+                                   : scan_facet(slot, facet, slot.factors, scratch);
     }
     if (!is_set) return;
     for (const std::uint32_t t : joined_[number]) {
@@ -162,13 +238,30 @@ void FormFactors::scan_pixmap(Slot& slot, std::uint32_t number, Scratch& scratch
     slot.sums[number] = sum_of(texels);
 }
 
-double FormFactors::scan_facet(Slot& slot, std::uint32_t facet, Scratch& scratch) const {
+/// A facet of whose texels some are left out.
+double FormFactors::scan_beside(Slot& slot, const NearTexels& texels, Scratch& scratch) const {
+    const std::uint32_t number = model_.facets[texels.facet].pixmap;
+    const Pixmap& pixmap = model_.pixmaps[number];
+    scratch.alone.resize(model_.texel_count());
+    const auto alone = std::span(scratch.alone).subspan(pixmap.first, pixmap.count());
+    std::fill(alone.begin(), alone.end(), 0.0);
+    const double backs = scan_facet(slot, texels.facet, scratch.alone, scratch);
+    double* to = &slot.factors[pixmap.first];
+    const double* from = alone.data();
+    for (int v = 0; v < pixmap.height; ++v)
+        for (int u = 0; u < pixmap.width; ++u, ++to, ++from)
+            (texels.contains(u, v) ? slot.left_out[number] : *to) += *from;
+    return backs;
+}
+
+double FormFactors::scan_facet(Slot& slot, std::uint32_t facet, std::span<double> factors,
+                               Scratch& scratch) const {
     const auto& figure = figures_[facet];
     if (figure && can_scan_texels(model_, *figure, slot.hemicube) &&
-        scan_texels(model_, *figure, slot.hemicube, slot.seen, slot.factors, scratch.texels))
+        scan_texels(model_, *figure, slot.hemicube, slot.seen, factors, scratch.texels))
         return 0;
-    return scan_pixels(model_, facet, slot.hemicube, slot.buffers, delta_, options_.scan,
-                       slot.factors, scratch.pixels);
+    return scan_pixels(model_, facet, slot.hemicube, slot.buffers, delta_, options_.scan, factors,
+                       scratch.pixels);
 }
 
 /// All light goes somewhere: so much that neither escapes nor falls on backs goes to the texels.
@@ -178,13 +271,14 @@ double FormFactors::scale_of(const Slot& slot) const {
     double left = 1 - slot.escaped, texels = 0;
     for (std::size_t i = 0; i < slot.sums.size(); ++i) {
         left -= slot.backs[i];
-        texels += slot.sums[i];
+        texels += slot.sums[i] + slot.left_out[i];
     }
     return texels > 0 ? std::max(left, 0.0) / texels : 0;
 }
 
-void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
-                      Row& row) {
+/// Returns the shares of the points that see nothing but backs: they are not added.
+double FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+                        Row& row) {
     std::array<double, slots> shares{};
     for (std::size_t k = 0; k < count; ++k)
         shares[k] = points[first + k].share * scale_of(slots_[k]);
@@ -197,10 +291,23 @@ void FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, 
                 factors_[t] += shares[k] * from[t];
         }
     });
+    double enclosed = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        row.escaped += points[first + k].share * slots_[k].escaped;
-        for (double backs : slots_[k].backs) row.backs += points[first + k].share * backs;
+        const double share = points[first + k].share;
+        if (is_enclosed(slots_[k])) {
+            enclosed += share;
+            continue;
+        }
+        row.escaped += share * slots_[k].escaped;
+        for (double backs : slots_[k].backs) row.backs += share * backs;
     }
+    return enclosed;
+}
+
+bool FormFactors::is_enclosed(const Slot& slot) {
+    const auto is_dark = [](double sum) { return sum == 0; };
+    return slot.escaped == 0 && std::all_of(slot.sums.begin(), slot.sums.end(), is_dark) &&
+           std::all_of(slot.left_out.begin(), slot.left_out.end(), is_dark);
 }
 
 }  // namespace gw::radiosity

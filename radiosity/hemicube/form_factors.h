@@ -30,6 +30,8 @@ struct FormFactorOptions {
 
 /// Throws Error naming the option that is out of its range.
 void check(const FormFactorOptions& options);
+/// The points of a patch with these options: near parts need texels in closed form.
+PointOptions point_options(const FormFactorOptions& options);
 
 /// The distribution of a patch's (or point's) light. texels + backs + escaped = 1.
 struct Row {
@@ -60,11 +62,13 @@ private:
     /// Memory of a thread.
     struct Scratch {
         std::unique_ptr<HemicubePainter> painter;
+        std::vector<double> alone;  ///< factors of one facet
         TexelScratch texels;
         PixelScratch pixels;
     };
     /// A hemicube and the results of its scan.
     struct Slot {
+        const NearPart* beside = nullptr;  ///< whose texels are left out
         Hemicube hemicube;
         IdBuffers buffers;
         SeenIds seen;
@@ -72,15 +76,22 @@ private:
             factors;                ///< for all texels; those of pixmaps whose sum is 0 are not set
         std::vector<double> sums;   ///< of each pixmap
         std::vector<double> backs;  ///< for each pixmap
+        std::vector<double> left_out;  ///< for each pixmap
         double escaped = 0;
     };
 
-    void draw(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
-              std::uint64_t turns);
+    Row from(const Shooting& shooting, std::uint64_t turns);
+    void draw(const Shooting& shooting, std::size_t first, std::size_t count, std::uint64_t turns);
     void scan(std::size_t count);
     void scan_pixmap(Slot& slot, std::uint32_t pixmap, Scratch& scratch) const;
-    double scan_facet(Slot& slot, std::uint32_t facet, Scratch& scratch) const;
-    void sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count, Row& row);
+    double scan_facet(Slot& slot, std::uint32_t facet, std::span<double> factors,
+                      Scratch& scratch) const;
+    double scan_beside(Slot& slot, const NearTexels& texels, Scratch& scratch) const;
+    double sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
+               Row& row);
+    static bool is_enclosed(const Slot& slot);
+    double divide_among_open(Row& row, double enclosed);
+    void add_near(const std::vector<NearPart>& parts, double shares, Row& row);
     double scale_of(const Slot& slot) const;
 
     const PixmapModel& model_;

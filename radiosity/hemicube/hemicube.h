@@ -4,8 +4,8 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "radiosity/model/patches.h"
 #include "radiosity/model/pixmap_model.h"
+#include "radiosity/model/points.h"
 #include "scene/draw/view.h"
 
 #include <memory>

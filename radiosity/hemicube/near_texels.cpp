@@ -1,5 +1,9 @@
 #include "radiosity/hemicube/near_texels.h"
 
+#include <array>
+#include <span>
+#include <vector>
+
 namespace gw::radiosity {
 namespace {
 
@@ -82,6 +86,88 @@ double near_factor(const FigureView& view, const PlaneFigure& figure, const Seen
     division.add(u + 0.5, v + 0.5, 0.5, most_divisions);
     const double share = division.share();
     return share > 0 ? share * exact_factor(view, part) : 0;
+}
+
+namespace {
+
+/// A texel's light from points of a part, the part's plane being z = 0.
+class Beside {
+public:
+    Beside(const PixmapModel& model, const NearPart& part, const NearTexels& texels)
+        : own_(model.facets[part.facet]), facet_(model.facets[texels.facet]), texels_(texels) {
+        const double long_u = length(own_.du);
+        x_ = own_.du / long_u;
+        y_ = cross3(own_.normal, x_);
+    }
+
+    double factor(const Part& part, int u, int v) {
+        add_pieces(u, v);
+        if (pieces_.empty()) return 0;
+        middle_ = in_plane(facet_.at({u + 0.5, v + 0.5}));
+        radius_ = 0.5 * std::max(length(facet_.du + facet_.dv), length(facet_.du - facet_.dv));
+        return mean(part, most_divisions);
+    }
+
+private:
+    dvec3 in_plane(const dvec3& world) const {
+        const dvec3 p = world - own_.origin;
+        return {dot3(x_, p), dot3(y_, p), dot3(own_.normal, p)};
+    }
+
+    /// The texel's covered part, by triangles of the facet.
+    void add_pieces(int u, int v) {
+        for (const Triangle2& triangle : facet_.triangles) {
+            Polygon2 polygon;
+            for (const dvec2& corner : triangle) polygon.add(corner);
+            polygon = cut_to_box(polygon, {u, v}, {u + 1, v + 1});
+            for (const dvec3& side : texels_.sides) polygon = cut(polygon, side);
+            if (polygon.n < 3) continue;
+            std::vector<dvec3> corners;
+            for (int i = 0; i < polygon.n; ++i) corners.push_back(in_plane(facet_.at(polygon[i])));
+            pieces_.push_back(std::move(corners));
+        }
+    }
+
+    /// In the mean over the part.
+    double mean(const Part& part, int divisions) const {
+        const dvec2 size = part.high - part.low, middle = (part.low + part.high) / 2.0;
+        const double extent = std::max(length(own_.du) * size.x, length(own_.dv) * size.y);
+        const double distance = length(middle_ - in_plane(own_.at(middle))) - radius_;
+        const bool divided = divisions > 0 && 2 * extent > distance;
+        const dvec2 offset = divided ? size / 4.0 : size / (2 * std::sqrt(3.0));  // Gauss' points
+        double sum = 0;
+        for (int quarter = 0; quarter < 4; ++quarter) {
+            const dvec2 uv = middle + dvec2(quarter & 1 ? 1 : -1, quarter & 2 ? 1 : -1) * offset;
+            sum += divided ? mean({uv - size / 4.0, uv + size / 4.0}, divisions - 1) : from(uv);
+        }
+        return sum / 4;
+    }
+
+    double from(const dvec2& uv) const {
+        const dvec3 point = in_plane(own_.at(uv));
+        double sum = 0;
+        for (const std::vector<dvec3>& piece : pieces_) {
+            std::array<dvec3, std::tuple_size_v<decltype(Polygon2::p)>> corners;
+            for (std::size_t i = 0; i < piece.size(); ++i) corners[i] = piece[i] - point;
+            sum += exact_factor(std::span(corners).first(piece.size()));
+        }
+        return sum;
+    }
+
+    static constexpr int most_divisions = 4;
+    const Facet &own_, &facet_;
+    const NearTexels& texels_;
+    dvec3 x_, y_;
+    std::vector<std::vector<dvec3>> pieces_;
+    dvec3 middle_{0};
+    double radius_ = 0;
+};
+
+}  // namespace
+
+double near_factor(const PixmapModel& model, const NearPart& part, const NearTexels& texels, int u,
+                   int v) {
+    return Beside(model, part, texels).factor(part.part, u, v);
 }
 
 }  // namespace gw::radiosity

@@ -31,6 +31,18 @@ Polygon2 cut(const Polygon2& polygon, int axis, double limit, double sign) {
     return inside;
 }
 
+Polygon2 cut(const Polygon2& polygon, const dvec3& side) {
+    Polygon2 inside;
+    const auto height = [&](const dvec2& p) { return dot3(side, dvec3(1, p)); };
+    for (int i = 0; i < polygon.n; ++i) {
+        const dvec2 &a = polygon[i], &b = polygon[i + 1 < polygon.n ? i + 1 : 0];
+        const double da = height(a), db = height(b);
+        if (da >= 0) inside.add(a);
+        if ((da >= 0) != (db >= 0)) inside.add(a + (b - a) * (da / (da - db)));
+    }
+    return inside;
+}
+
 Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high) {
     Polygon2 inside = polygon;
     for (int axis : {0, 1}) inside = cut(cut(inside, axis, low[axis], 1), axis, high[axis], -1);

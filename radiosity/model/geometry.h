@@ -19,6 +19,9 @@ struct Polygon2 {
 /// The part with p[axis] * sign >= limit * sign.
 Polygon2 cut(const Polygon2& polygon, int axis, double limit, double sign);
 
+/// The part with dot(side, (1, p)) >= 0.
+Polygon2 cut(const Polygon2& polygon, const dvec3& side);
+
 /// The part inside low .. high.
 Polygon2 cut_to_box(const Polygon2& polygon, const dvec2& low, const dvec2& high);
 

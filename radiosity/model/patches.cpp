@@ -8,161 +8,105 @@
 namespace gw::radiosity {
 namespace {
 
-/// A rectangle in a pixmap.
-struct Part {
-    dvec2 low, high;
-    double whole() const { return (high.x - low.x) * (high.y - low.y); }
+/// A line of contact, in texels.
+struct Segment {
+    dvec2 from, to;
 };
 
-/// The covered area of a part: its world area, and the middle of the facet that covers most.
-struct Covered {
-    const Facet* facet = nullptr;
-    double area = 0;         ///< world, all facets
-    double facet_share = 0;  ///< of the part, in texels, by `facet`
-    dvec2 middle{0};
-    bool whole(const Part& part) const { return facet && facet_share >= part.whole() * (1 - 1e-9); }
-};
+/// Of a triangle that stands on a facet's plane, or pierces it.
+void add_contact(const std::array<dvec3, 3>& triangle, const Facet& facet, double touching_height,
+                 std::vector<Segment>& contacts) {
+    std::array<double, 3> height{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        height[i] = dot3(facet.normal, triangle[i]) - facet.offset;
+        if (std::abs(height[i]) <= touching_height) height[i] = 0;
+    }
+    if (*std::max_element(height.begin(), height.end()) <= 0) return;  // lies under it, or in it
+    std::vector<dvec2> on;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if (height[i] == 0) on.push_back(facet.texel_of(triangle[i]));
+        if (height[i] * height[j] < 0)
+            on.push_back(facet.texel_of(triangle[i] + (triangle[j] - triangle[i]) *
+                                                          (height[i] / (height[i] - height[j]))));
+    }
+    if (!on.empty()) contacts.push_back({on.front(), on.back()});
+}
 
-Covered covered(const PixmapModel& model, const Pixmap& pixmap, const Part& part) {
-    Covered best;
-    for (std::uint32_t number : pixmap.facets) {
-        const Facet& facet = model.facets[number];
-        if (facet.low.x >= part.high.x || facet.high.x <= part.low.x ||
-            facet.low.y >= part.high.y || facet.high.y <= part.low.y)
+/// Where the figures of other pixmaps stand on this facet or pierce it.
+std::vector<Segment> contacts_of(const PixmapModel& model, const Facet& facet) {
+    const double height = touching * model.extent;
+    std::vector<Segment> contacts;
+    for (const Facet& other : model.facets) {
+        if (other.pixmap == facet.pixmap) continue;
+        const double middle = dot3(facet.normal, other.center) - facet.offset;
+        if (std::abs(middle) > other.radius + height ||
+            length(other.center - facet.center) > other.radius + facet.radius)
             continue;
-        double share = 0, largest = 0;
-        dvec2 sum(0), middle_of_largest(0);
-        for (const Triangle2& triangle : facet.triangles) {
-            Polygon2 polygon;
-            for (const dvec2& uv : triangle) polygon.add(uv);
-            polygon = cut_to_box(polygon, part.low, part.high);
-            const double a = polygon.n < 3 ? 0 : area(polygon);
-            if (!(a > 1e-12)) continue;
-            const dvec2 c = centroid(polygon);
-            share += a;
-            sum += a * c;
-            if (a > largest) middle_of_largest = c;
-            largest = std::max(largest, a);
-        }
-        best.area += share * facet.texel_area;
-        if (share <= best.facet_share) continue;
-        best.facet = &facet;
-        best.facet_share = share;
-        // The mean of several pieces may lie outside the figure.
-        best.middle = largest > 0.5 * share ? middle_of_largest : sum / share;
+        for (const Triangle2& t : other.triangles)
+            add_contact({other.at(t[0]), other.at(t[1]), other.at(t[2])}, facet, height, contacts);
     }
-    return best;
+    return contacts;
 }
 
-/// In texels. Curved figures touch others in points, near which no part would be small enough: a
-/// texel is.
-double smallest_part(const Pixmap& pixmap, const PointOptions& options) {
-    if (pixmap.facets.size() > 1) return options.smallest_part;
-    return (pixmap.whole ? 1 : 0.5) *
-           std::min(options.smallest_part,
-                    std::min(pixmap.width, pixmap.height) * options.smallest_of_pixmap);
+/// Of all plane figures of a pixmap; curved ones are not divided.
+std::vector<Segment> contacts_of(const PixmapModel& model, const Pixmap& pixmap) {
+    constexpr std::size_t most_plane = 2;  // a quad that is not quite plane has two facets
+    std::vector<Segment> contacts;
+    if (pixmap.facets.size() > most_plane) return contacts;
+    for (const std::uint32_t facet : pixmap.facets)
+        for (const Segment& contact : contacts_of(model, model.facets[facet]))
+            contacts.push_back(contact);
+    return contacts;
 }
 
-class Points {
-public:
-    Points(const PixmapModel& model, const Patch& patch, const PointOptions& options)
-        : model_(model),
-          patch_(patch),
-          pixmap_(model.pixmaps[patch.pixmap]),
-          options_(options),
-          smallest_part_(smallest_part(pixmap_, options)) {
-        const Part whole{{patch.x, patch.y}, {patch.x + patch.width, patch.y + patch.height}};
-        add(whole, covered(model, pixmap_, whole));
-    }
-    std::vector<ShootPoint> points;
-
-private:
-    void add(const Part& part, const Covered& found) {
-        if (!found.facet) return;
-        const dvec2 size = part.high - part.low, middle = (part.low + part.high) / 2.0;
-        const double extent =
-            std::max(length(found.facet->du) * size.x, length(found.facet->dv) * size.y);
-        const bool split = divided(part, found, extent);
-        const dvec2 offset = size / (2 * std::sqrt(3.0));
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            const dvec2 sign(quarter & 1 ? 1 : -1, quarter & 2 ? 1 : -1);
-            const Part q{
-                {quarter & 1 ? middle.x : part.low.x, quarter & 2 ? middle.y : part.low.y},
-                {quarter & 1 ? part.high.x : middle.x, quarter & 2 ? part.high.y : middle.y}};
-            const Covered in_quarter = covered(model_, pixmap_, q);
-            if (!in_quarter.facet) continue;
-            if (split) {
-                add(q, in_quarter);
-                continue;
-            }
-            const dvec2 uv = found.whole(part) ? middle + sign * offset : in_quarter.middle;
-            add_point(in_quarter, uv, in_quarter.area,
-                      extent * std::sqrt(in_quarter.facet_share / q.whole()));
+bool is_crossed(const Patch& patch, const Segment& segment) {
+    constexpr double border = 1e-3;  // texels: a line along the border divides nothing
+    const dvec2 low = dvec2(patch.x, patch.y) + dvec2(border),
+                high = dvec2(patch.x + patch.width, patch.y + patch.height) - dvec2(border);
+    double begin = 0, end = 1;
+    for (int axis : {0, 1}) {
+        const double from = segment.from[axis], along = segment.to[axis] - from;
+        if (along == 0) {
+            if (from < low[axis] || from > high[axis]) return false;
+            continue;
         }
+        const double a = (low[axis] - from) / along, b = (high[axis] - from) / along;
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
     }
+    return begin <= end;
+}
 
-    void add_point(const Covered& found, const dvec2& uv, double area, double size) {
-        const dvec3 p = found.facet->at(uv);
-        points.push_back({p, found.facet->normal, area / patch_.area, size,
-                          nearest(p, *found.facet, nearest_known * size)});
+/// Adds up the texels of a patch.
+void cover(const PixmapModel& model, Patch& patch) {
+    patch.area = 0;
+    patch.emits = false;
+    for_each_texel(model, patch, [&](std::size_t t) {
+        patch.area += model.area[t];
+        patch.emits = patch.emits || (model.area[t] > 0 && model.E[t] != dvec3(0));
+    });
+}
+
+void add(const PixmapModel& model, Patch patch, const std::vector<Segment>& contacts,
+         std::vector<Patch>& patches) {
+    const bool divided = std::max(patch.width, patch.height) > 1 &&
+                         std::any_of(contacts.begin(), contacts.end(), [&](const Segment& contact) {
+                             return is_crossed(patch, contact);
+                         });
+    if (!divided) {
+        cover(model, patch);
+        if (patch.area > 0) patches.push_back(patch);
+        return;
     }
-
-    /// The distance of the nearest surface above own's plane; infinite if it is more than `most`.
-    double nearest(const dvec3& p, const Facet& own, double most) const {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Facet& facet : model_.facets) {
-            if (&facet == &own || length(facet.center - p) - facet.radius > most) continue;
-            if (rise(facet, p, own) <= touching * model_.extent) continue;
-            const double d = distance(p, facet);
-            if (d <= most) least = std::min(least, d);
-        }
-        return least;
-    }
-
-    /// How far a facet's corners rise above own's plane.
-    static double rise(const Facet& facet, const dvec3& p, const Facet& own) {
-        double high = 0;
-        for (int k = 0; k < facet.corner_count; ++k)
-            high = std::max(high, dot3(own.normal, facet.corners[std::size_t(k)] - p));
-        return high;
-    }
-
-    static double distance(const dvec3& p, const Facet& facet) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const Triangle2& t : facet.triangles)
-            least = std::min(least, length(p - nearest_point(p, facet.at(t[0]), facet.at(t[1]),
-                                                             facet.at(t[2]))));
-        return least;
-    }
-
-    bool divided(const Part& part, const Covered& found, double extent) const {
-        const double texels = std::max(part.high.x - part.low.x, part.high.y - part.low.y);
-        if (texels / 2 < smallest_part_) return false;
-        if (patch_.emits && texels > options_.emitter_part) return true;
-        return near_something(found.facet->at(found.middle), *found.facet, extent);
-    }
-
-    bool near_something(const dvec3& p, const Facet& own, double extent) const {
-        for (const Facet& facet : model_.facets) {
-            if (&facet == &own ||
-                length(facet.center - p) - facet.radius > extent / options_.nearness)
-                continue;
-            if (dot3(facet.normal, p) - facet.offset <= 0) continue;  // shows its back
-            const double high = rise(facet, p, own);
-            if (high <= touching * model_.extent) continue;
-            const double d = distance(p, facet);
-            const double seen = extent > d ? 1 : std::min(1.0, high / d);
-            if (extent * seen > options_.nearness * d) return true;
-        }
-        return false;
-    }
-
-    const PixmapModel& model_;
-    const Patch& patch_;
-    const Pixmap& pixmap_;
-    const PointOptions& options_;
-    const double smallest_part_;
-};
+    const int half_x = (patch.width + 1) / 2, half_y = (patch.height + 1) / 2;
+    for (int y = 0; y < patch.height; y += half_y)
+        for (int x = 0; x < patch.width; x += half_x)
+            add(model,
+                {patch.pixmap, patch.x + x, patch.y + y, std::min(half_x, patch.width - x),
+                 std::min(half_y, patch.height - y)},
+                contacts, patches);
+}
 
 }  // namespace
 
@@ -170,29 +114,19 @@ std::vector<Patch> patches_of(const PixmapModel& model, int side) {
     std::vector<Patch> patches;
     for (std::uint32_t i = 0; i < model.pixmaps.size(); ++i) {
         const Pixmap& pixmap = model.pixmaps[i];
+        const std::vector<Segment> contacts = contacts_of(model, pixmap);
         for (int y = 0; y < pixmap.height; y += side)
-            for (int x = 0; x < pixmap.width; x += side) {
-                Patch patch{i, x, y, std::min(side, pixmap.width - x),
-                            std::min(side, pixmap.height - y)};
-                for (int j = y; j < y + patch.height; ++j)
-                    for (int k = x; k < x + patch.width; ++k) {
-                        const std::size_t t = pixmap.first + pixel_index(k, j, pixmap.width);
-                        patch.area += model.area[t];
-                        patch.emits = patch.emits || (model.area[t] > 0 && model.E[t] != dvec3(0));
-                    }
-                if (patch.area > 0) patches.push_back(patch);
-            }
+            for (int x = 0; x < pixmap.width; x += side)
+                add(model,
+                    {i, x, y, std::min(side, pixmap.width - x), std::min(side, pixmap.height - y)},
+                    contacts, patches);
     }
     return patches;
 }
 
-std::vector<ShootPoint> points_of(const PixmapModel& model, const Patch& patch,
-                                  const PointOptions& options) {
-    std::vector<ShootPoint> points = Points(model, patch, options).points;
-    double sum = 0;
-    for (const ShootPoint& point : points) sum += point.share;
-    for (ShootPoint& point : points) point.share /= sum;
-    return points;
+std::vector<Patch> same_patches(const PixmapModel& model, std::vector<Patch> patches) {
+    for (Patch& patch : patches) cover(model, patch);
+    return patches;
 }
 
 }  // namespace gw::radiosity

@@ -14,14 +14,22 @@ bool same_pixmaps(const PixmapModel& a, const PixmapModel& b) {
                       [](const Pixmap& p, const Pixmap& q) {
                           return p.width == q.width && p.height == q.height;
                       }) &&
-           a.facets.size() == b.facets.size() && a.patches.size() == b.patches.size();
+           a.facets.size() == b.facets.size();
+}
+
+double area_of(const PixmapModel& model, const Pixmap& pixmap) {
+    double sum = 0;
+    for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) sum += model.area[t];
+    return sum;
 }
 
 /// Moved, not resized; positions are float32.
 bool same_areas(const PixmapModel& a, const PixmapModel& b) {
-    return std::equal(
-        a.patches.begin(), a.patches.end(), b.patches.begin(), b.patches.end(),
-        [](const Patch& p, const Patch& q) { return std::abs(p.area - q.area) <= 1e-4 * p.area; });
+    return std::equal(a.pixmaps.begin(), a.pixmaps.end(), b.pixmaps.begin(), b.pixmaps.end(),
+                      [&](const Pixmap& p, const Pixmap& q) {
+                          const double area = area_of(a, p);
+                          return std::abs(area - area_of(b, q)) <= 1e-4 * area;
+                      });
 }
 
 bool same_place(const Facet& a, const Facet& b) {
@@ -178,7 +186,7 @@ void Solver::keep_largest(std::vector<Affected>& affected, double least) {
 }
 
 std::size_t Solver::hemicubes_of(const PixmapModel& model, std::size_t patch) const {
-    return points_of(model, model.patches[patch], options_.form_factors.points).size();
+    return points_of(model, model.patches[patch], point_options(options_.form_factors)).size();
 }
 
 std::size_t Solver::hemicubes_to_send(const std::vector<Affected>& affected,
@@ -221,13 +229,18 @@ void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next,
 
 Update Solver::move(PixmapModel to, double tolerance) {
     const double emitted = magnitude(books(*model_, solution_).emitted);
+    // Figures may stand on other patches now. Light that is taken back and sent needs the same ones.
+    std::vector<Patch> patches = same_patches(to, model_->patches);
+    std::swap(to.patches, patches);
     std::vector<Affected> affected = affected_by(to);
     std::size_t anew = 0;
     for (const Affected& a : affected)
         if (magnitude(a.flux) > rounding * emitted) anew += hemicubes_of(to, a.patch);
     keep_largest(affected, tolerance * emitted);
-    if (double(hemicubes_to_send(affected, to)) > most_of_anew * double(anew))
+    if (double(hemicubes_to_send(affected, to)) > most_of_anew * double(anew)) {
+        to.patches = std::move(patches);
         return begin_again(std::move(to));
+    }
     auto next = std::make_unique<PixmapModel>(std::move(to));
     auto next_factors = std::make_unique<FormFactors>(*next, options_.form_factors);
     Rows kept;
