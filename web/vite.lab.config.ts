@@ -3,6 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
+import { buildSync } from 'esbuild';
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig, type Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
@@ -23,7 +24,30 @@ function sceneFiles(): Record<string, string> {
   );
 }
 
-/** The bytes stand in the page as text that no script reads before it is needed. */
+const alias = {
+  'gw-engine': resolve(engine, 'engine.js'),
+  'gw-scalar': resolve(scalar, 'engine.js'),
+};
+
+/** A script as text, in one piece. */
+function scriptText(file: string, format: 'iife' | 'esm'): string {
+  const built = buildSync({
+    entryPoints: [resolve(file)],
+    bundle: true,
+    write: false,
+    minify: true,
+    format,
+    target: 'es2022',
+    alias,
+    define: { 'import.meta.url': '""' }, // of Emscripten's scripts, which get their bytes from the page
+  });
+  return built.outputFiles[0]!.text.replaceAll('</script', '<\\/script').replaceAll(
+    '<!--',
+    '<\\!--',
+  );
+}
+
+/** Bytes and scripts stand in the page as text that nobody reads before it is needed. What the first picture needs comes first. */
 function data(): Plugin {
   const block = (id: string, text: string) =>
     `<script id="${id}" type="text/plain">${text}</script>`;
@@ -32,35 +56,20 @@ function data(): Plugin {
     transformIndexHtml: (page) =>
       page.replace(
         '<!-- engine -->',
-        block('engine', packed(readFileSync(join(engine, 'engine.wasm')))) +
+        () =>
+          block('worker', scriptText('lab/worker.ts', 'iife')) +
+          block('scenes', packed(JSON.stringify(sceneFiles()))) +
+          block('engine', packed(readFileSync(join(engine, 'engine.wasm')))) +
+          `<script>${scriptText('lab/early.ts', 'iife')}</script>` +
           block('scalar', packed(readFileSync(join(scalar, 'engine.wasm')))) +
-          block('scenes', packed(JSON.stringify(sceneFiles()))),
+          block('editor', scriptText('components/code_editor.ts', 'esm')),
       ),
   };
 }
 
-/** Emscripten's script names a file beside it, which Vite would put into the page again. */
-function withoutFile(): Plugin {
-  return {
-    name: 'gw-engine',
-    enforce: 'pre',
-    transform: (code, id) =>
-      id.endsWith('engine.js')
-        ? code.replace('new URL("engine.wasm",import.meta.url).toString()', '""')
-        : undefined,
-  };
-}
-
-const alias = {
-  'gw-engine': resolve(engine, 'engine.js'),
-  'gw-scalar': resolve(scalar, 'engine.js'),
-};
-
 export default defineConfig({
   root: 'lab',
-  resolve: { alias },
   plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile(), data()],
-  worker: { format: 'iife', plugins: () => [withoutFile()] },
   build: {
     outDir: process.env.GW_WEB_OUT ?? '../dist-lab',
     emptyOutDir: true,

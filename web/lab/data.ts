@@ -1,18 +1,12 @@
-// The bytes that stand in the page: WebAssembly and scenes.
-function bytesOf(base64: string): Uint8Array {
-  const text = atob(base64);
-  const bytes = new Uint8Array(text.length);
-  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
-  return bytes;
-}
+// What stands in the page as text: the engines and the scenes, packed, and scripts that not every
+// visit needs.
+export const folder = '/scenes/';
 
-function unpacked(id: string, type: string): Response {
-  const text = document.getElementById(id)?.textContent ?? '';
-  const stream = new Blob([bytesOf(text.trim())]).stream();
-  return new Response(stream.pipeThrough(new DecompressionStream('gzip')), {
-    headers: { 'Content-Type': type },
-  });
-}
+export const textOf = (id: string): string =>
+  document.getElementById(id)?.textContent?.trim() ?? '';
+
+export const scriptAddress = (id: string): string =>
+  URL.createObjectURL(new Blob([textOf(id)], { type: 'text/javascript' }));
 
 /** A module with a value of 128 bits. */
 const vectorModule = [
@@ -21,17 +15,3 @@ const vectorModule = [
 ];
 /** Whether this browser has WebAssembly's vectors. */
 export const hasVectors = (): boolean => WebAssembly.validate(new Uint8Array(vectorModule));
-
-/** Compiled while it is unpacked, once for all workers. */
-export const engineModule = (vectors: boolean): Promise<WebAssembly.Module> =>
-  WebAssembly.compileStreaming(unpacked(vectors ? 'engine' : 'scalar', 'application/wasm'));
-
-export const folder = '/scenes/';
-
-/** By path, "/scenes/hidden/cycle.toml". */
-export async function sceneFiles(): Promise<Record<string, Uint8Array>> {
-  const files = (await unpacked('scenes', 'application/json').json()) as Record<string, string>;
-  return Object.fromEntries(
-    Object.entries(files).map(([name, base64]) => [folder + name, bytesOf(base64)]),
-  );
-}

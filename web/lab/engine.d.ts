@@ -50,6 +50,7 @@ declare module 'gw-engine' {
       imports: WebAssembly.Imports,
       done: (instance: WebAssembly.Instance) => void,
     ): object;
+    locateFile(name: string): string;
   }): Promise<EngineModule>;
 }
 // The same without vectors.

@@ -1,7 +1,7 @@
 // The machine as the page sees it: every method of the worker as a promise. A worker that is stopped,
 // or whose memory is full, is ended, and another one begins with the same files.
+import { beginWorker } from './begin_worker';
 import type { Answer, Files, Methods } from './protocol';
-import MachineWorker from './worker?worker&inline';
 
 type Result<M extends keyof Methods> = Promise<ReturnType<Methods[M]>>;
 
@@ -17,25 +17,23 @@ export class Machine {
     }
   >();
   private scene = '';
+  private module: WebAssembly.Module | undefined;
+  private files: Files = {}; // beside the page's scenes
+  /** The first worker's answer; later ones give the same. */
+  readonly started: Result<'start'>;
 
-  private constructor(
-    private readonly wasm: WebAssembly.Module,
-    private readonly vectors: boolean,
-    private files: Files,
-  ) {}
-
-  static async start(
-    wasm: WebAssembly.Module,
-    vectors: boolean,
-    files: Files,
-  ): Promise<[Machine, ReturnType<Methods['start']>]> {
-    const machine = new Machine(wasm, vectors, files);
-    return [machine, await machine.begin()];
+  /** The worker begins by itself: it has been asked to start. */
+  constructor(worker: Worker) {
+    this.started = this.begin(worker);
+    this.started.then(
+      ({ module }) => (this.module = module),
+      () => undefined, // the page has the error
+    );
   }
 
-  private begin(): Result<'start'> {
-    this.worker = new MachineWorker();
-    this.worker.onmessage = (event: MessageEvent<Answer>) => {
+  private begin(worker: Worker): Result<'start'> {
+    this.worker = worker;
+    worker.onmessage = (event: MessageEvent<Answer>) => {
       const { number, value, error } = event.data;
       const asked = this.waiting.get(number);
       this.waiting.delete(number);
@@ -46,7 +44,9 @@ export class Machine {
         this.stop(error).catch(() => undefined); // the page has the error
       }
     };
-    return this.ask('start', this.wasm, this.vectors, this.files);
+    return new Promise((done, failed) => {
+      this.waiting.set(0, { method: 'start', done: done as (value: unknown) => void, failed });
+    });
   }
 
   ask<M extends keyof Methods>(method: M, ...values: Parameters<Methods[M]>): Result<M> {
@@ -66,11 +66,15 @@ export class Machine {
   /** Ends what the machine does now. What was asked for fails with `why`. */
   async stop(why: string): Promise<void> {
     this.worker?.terminate();
-    for (const { failed } of this.waiting.values()) failed(new Error(why));
+    const unanswered = [...this.waiting.values()];
     this.waiting.clear();
-    // Both before anything else that is asked meanwhile.
-    const begun = this.begin();
+    // All three before anything else that is asked meanwhile.
+    const begun = this.begin(beginWorker(this.module));
+    const written = this.ask('write', this.files);
     const opened = this.scene ? this.ask('open', this.scene) : undefined;
-    await Promise.all([begun, opened]);
+    for (const { method, done, failed } of unanswered)
+      if (method === 'start') done(begun);
+      else failed(new Error(why));
+    await Promise.all([begun, written, opened]);
   }
 }

@@ -393,12 +393,18 @@ export interface Graded {
 
 /** The methods of the worker: arguments to answers. */
 export interface Methods {
-  /** `vectors`: which of the two engines `wasm` is. */
+  /** Texts of the page, or a module compiled before; `vectors`: which of the two engines it is. */
   start(
-    wasm: WebAssembly.Module,
+    engine: string | WebAssembly.Module,
     vectors: boolean,
-    files: Files,
-  ): { algorithms: readonly AlgorithmName[]; simd: string };
+    scenes: string,
+  ): {
+    algorithms: readonly AlgorithmName[];
+    simd: string;
+    /** Paths of all files. */
+    scenes: readonly string[];
+    module: WebAssembly.Module;
+  };
   write(files: Files): void;
   open(path: string): SceneFacts;
   draw(options: DrawOptions): Drawn;

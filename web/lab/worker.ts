@@ -2,7 +2,9 @@
 import make_engine, { type Engine, type EngineModule } from 'gw-engine';
 import make_scalar from 'gw-scalar';
 import { decode } from 'fast-png';
+import { folder } from './data';
 import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
+import { bytesOf, unpacked } from './unpacked';
 
 let lab: EngineModule;
 let engine: Engine;
@@ -23,6 +25,14 @@ function write(files: Files): void {
     lab.FS.writeFile(path, bytes);
     if (path.endsWith('.png')) pictures.set(path, bytes);
   }
+}
+
+/** By path, "/scenes/hidden/cycle.toml". */
+async function sceneFiles(text: string): Promise<Files> {
+  const files = (await unpacked(text, 'application/json').json()) as Record<string, string>;
+  return Object.fromEntries(
+    Object.entries(files).map(([name, base64]) => [folder + name, bytesOf(base64)]),
+  );
 }
 
 /** Four channels, as the file has their values. */
@@ -51,21 +61,32 @@ function addPicture(path: string): void {
 }
 
 const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
-  async start(wasm, vectors, files) {
+  async start(engineText, vectors, scenesText) {
+    const compiling =
+      engineText instanceof WebAssembly.Module
+        ? engineText
+        : WebAssembly.compileStreaming(unpacked(engineText, 'application/wasm'));
+    const files = sceneFiles(scenesText);
+    const module = await compiling;
     const make = vectors ? make_engine : make_scalar;
     lab = await new Promise<EngineModule>((resolve, reject) => {
       const instantiateWasm = (
         imports: WebAssembly.Imports,
         done: (instance: WebAssembly.Instance) => void,
       ): object => {
-        WebAssembly.instantiate(wasm, imports).then(done, reject);
+        WebAssembly.instantiate(module, imports).then(done, reject);
         return {};
       };
-      make({ instantiateWasm }).then(resolve, reject);
+      make({ instantiateWasm, locateFile: (name) => name }).then(resolve, reject);
     });
     engine = new lab.Engine();
-    write(files);
-    return { algorithms: JSON.parse(lab.algorithms()) as unknown, simd: lab.simd_target() };
+    write(await files);
+    return {
+      algorithms: JSON.parse(lab.algorithms()) as unknown,
+      simd: lab.simd_target(),
+      scenes: Object.keys(await files),
+      module,
+    };
   },
   write,
   open(path) {
