@@ -82,7 +82,7 @@ void Bench::add_picture(const std::string& path, int width, int height, int bits
 }
 
 Json Bench::open(const std::string& path) {
-    driver_.reset();
+    drivers_.clear();
     lightings_ = {};
     rays_.reset();
     caster_.reset();
@@ -130,16 +130,20 @@ scene::View Bench::view_of(const scene::Scene& scene, const Json& options) const
     return scene::make_view(scene, side(options, "width"), side(options, "height"));
 }
 
+std::unique_ptr<Machine> Bench::new_machine(const Json& options) {
+    return make_fast(profile_named(options.value("profile", "vgx")), side(options, "width"),
+                     side(options, "height"), {.threads = 1});
+}
+
 Machine& Bench::machine_for(const Json& options) {
-    const std::string profile = options.value("profile", "vgx");
-    const int width = side(options, "width"), height = side(options, "height");
-    const std::string key = profile + " " + std::to_string(width) + " " + std::to_string(height);
+    const std::string key =
+        Json{options.value("profile", "vgx"), options.at("width"), options.at("height")}.dump();
     if (key != machine_key_) {
         machine_key_.clear();
-        driver_.reset();
+        drivers_.clear();
         rays_.reset();
         machine_.reset();
-        machine_ = make_fast(profile_named(profile), width, height, {.threads = 1});
+        machine_ = new_machine(options);
         machine_key_ = key;
     }
     machine_->reset_passes();
@@ -193,17 +197,19 @@ void Bench::keep_picture(Machine& machine) {
 void Bench::draw_again(Machine& machine, const Subject& subject, const Json& options) {
     Json key = options;
     for (const char* of_eye : {"eye", "at", "up", "fov"}) key.erase(of_eye);
-    if (!driver_ || key.dump() != driver_key_) {
+    Kept& kept = drivers_[subject.renderer.name];
+    if (!kept.driver || key.dump() != kept.key) {
+        kept.driver.reset();
         multipass::Options passes = subject.draw.passes;
         passes.renderer = *subject.renderer.passes;
         const bool traced =
             subject.draw.traced && passes.renderer == multipass::Renderer::Multipass;
-        driver_ = traced
-                      ? itembuffer::make_driver(machine, subject.scene, passes, subject.draw.rays)
-                      : std::make_unique<multipass::Driver>(machine, subject.scene, passes);
-        driver_key_ = key.dump();
+        kept.driver =
+            traced ? itembuffer::make_driver(machine, subject.scene, passes, subject.draw.rays)
+                   : std::make_unique<multipass::Driver>(machine, subject.scene, passes);
+        kept.key = key.dump();
     }
-    driver_->draw(subject.view);
+    kept.driver->draw(subject.view);
 }
 
 bool Bench::has_generated_maps() const {

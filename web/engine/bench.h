@@ -103,6 +103,7 @@ private:
     /// the scene lacks.
     scene::Scene scene_for(const Json& options) const;
     scene::View view_of(const scene::Scene& scene, const Json& options) const;
+    static std::unique_ptr<Machine> new_machine(const Json& options);
     Machine& machine_for(const Json& options);
     /// What a renderer draws.
     struct Subject {
@@ -134,8 +135,11 @@ private:
     std::map<std::string, TextureRef> pictures_;
     std::unique_ptr<Machine> machine_;
     std::string machine_key_;
-    std::unique_ptr<multipass::Driver> driver_;  ///< of machine_
-    std::string driver_key_;
+    struct Kept {
+        std::string key;
+        std::unique_ptr<multipass::Driver> driver;
+    };
+    std::map<std::string, Kept> drivers_;  ///< by renderer; of machine_
     std::unique_ptr<inspect::Replayed> replayed_;
     std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved anew
     std::unique_ptr<RayScene> rays_;                      ///< of machine_

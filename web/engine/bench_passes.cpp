@@ -51,8 +51,8 @@ inspect::Replayed& kept(const std::unique_ptr<inspect::Replayed>& replayed) {
 }  // namespace
 
 Json Bench::passes(const Json& options) {
-    machine_key_.clear();
-    Machine& machine = machine_for(options);
+    const std::unique_ptr<Machine> fresh = new_machine(options);
+    Machine& machine = *fresh;
     inspect::Recording recording{
         .profile = machine.profile(), .width = options.at("width"), .height = options.at("height")};
     inspect::Recorder recorder(machine, recording.lists);

@@ -63,6 +63,18 @@ export class Machine {
     await this.ask('write', files);
   }
 
+  /** Another machine with the same files and scene. */
+  twin(): Machine {
+    const twin = new Machine(beginWorker(this.module));
+    twin.write(this.files).catch(() => undefined); // what is asked for next fails
+    twin.ask('open', this.scene).catch(() => undefined);
+    return twin;
+  }
+  /** Nothing is answered any more. */
+  end(): void {
+    this.worker?.terminate();
+  }
+
   /** Ends what the machine does now. What was asked for fails with `why`. */
   async stop(why: string): Promise<void> {
     this.worker?.terminate();

@@ -9,11 +9,12 @@ it('begins again with empty memory after a picture that is too large', async () 
   await thePage().waitForSelector('canvas');
   const answers = await thePage().evaluate(async () => {
     const { machine } = window as unknown as LabWindow;
-    const draw = async (side: number, planes: boolean) => {
+    const draw = async (side: number, more: boolean) => {
       const view = { width: side, height: side, profile: 'ideal', renderer: 'hardware' };
       try {
+        if (more) await machine.ask('draw', view); // it stays for the next eye
         const { picture } = await machine.ask('passes', view);
-        if (planes) await machine.ask('plane', 0, 'color');
+        if (more) await machine.ask('plane', 0, 'color');
         return picture.length;
       } catch (error) {
         return (error as Error).message;

@@ -94,6 +94,43 @@ it('takes samples from the slider and keeps all in the link', async () => {
   expect(await count()).toBeGreaterThan(one);
 });
 
+it('turns the eye with whole pictures, and shows all passes when it rests', async () => {
+  await begin('&scene=rings.toml');
+  const before = await pixels('many');
+  await thePage().$eval('figure.many', (e) => e.scrollIntoView());
+  const box = (await (await thePage().$('figure.many .stack'))!.boundingBox())!;
+  // While the hand holds it and still moves, the picture changes, and the planes are of before.
+  await thePage().evaluate(() => {
+    const seen = window as unknown as { turned: string[] };
+    seen.turned = [];
+    const many = document.querySelector<HTMLCanvasElement>('figure.many canvas')!;
+    const look = () => {
+      if (document.querySelector('figure.plane.old')) seen.turned.push(many.toDataURL());
+      requestAnimationFrame(look);
+    };
+    look();
+  });
+  await thePage().mouse.move(box.x + 20, box.y + 20);
+  await thePage().mouse.down();
+  await thePage().mouse.move(box.x + 60, box.y + 25, { steps: 3 });
+  await thePage().waitForSelector('figure.plane.old');
+  await thePage().mouse.up();
+  await thePage().waitForSelector('figure.plane:not(.old)');
+  const rested = await pixels('many');
+  expect(rested).not.toEqual(before);
+  const [turned, now, drawn] = await thePage().evaluate(async () => {
+    const { machine, turned } = window as unknown as LabWindow & { turned: string[] };
+    const many = document.querySelector<HTMLCanvasElement>('figure.many canvas')!;
+    const eye = new URLSearchParams(location.hash.slice(1)).get('eye')!.split(',').map(Number);
+    const { at, up } = await machine.ask('open', '/scenes/rings.toml');
+    const size = { width: 64, height: 48, profile: 'vgx', renderer: 'multipass' };
+    const { picture } = await machine.ask('draw', { ...size, eye, at, up });
+    return [turned.at(-1), many.toDataURL(), [...picture]];
+  });
+  expect(turned).toBe(now); // the same bits
+  expect(rested).toEqual(drawn);
+});
+
 it('shows the history of a pixel that is clicked', async () => {
   await begin('&scene=rings.toml');
   await thePage().click('figure.many .stack');

@@ -1,0 +1,68 @@
+// Pictures of a turning eye, from two machines in turn: while one draws, the other one begins the
+// next. Only the newest wish waits; a picture that is ready after a later one is dropped.
+import type { Machine } from './machine';
+import type { PassesOptions } from './protocol';
+
+export interface Turned {
+  /** By eq. 1. None: the machine cannot. */
+  readonly one: Uint8Array | undefined;
+  readonly many: Uint8Array;
+}
+
+export class TurningPictures {
+  private twin: Machine | undefined;
+  private idle: Machine[];
+  private next: PassesOptions | undefined;
+  private asked = 0;
+  private shown = 0;
+
+  constructor(
+    private readonly machine: Machine,
+    private readonly show: (turned: Turned | undefined) => void,
+  ) {
+    this.idle = [machine];
+  }
+
+  ask(wish: PassesOptions): void {
+    this.next = wish;
+    if (!this.twin) this.idle.push((this.twin = this.machine.twin()));
+    const machine = this.idle.shift();
+    if (machine) void this.work(machine);
+  }
+
+  /** What is asked for is shown no more. */
+  forget(): void {
+    this.next = undefined;
+    this.shown = this.asked;
+    this.show(undefined);
+  }
+
+  /** Ends the second machine; the next wish begins another. */
+  end(): void {
+    this.forget();
+    this.twin?.end();
+    this.twin = undefined;
+    this.idle = this.idle.filter((machine) => machine === this.machine);
+  }
+
+  private async work(machine: Machine): Promise<void> {
+    while (this.next) {
+      const wish = this.next;
+      this.next = undefined;
+      const number = ++this.asked;
+      try {
+        const one = await machine.ask('draw', { ...wish, renderer: 'hardware' }).then(
+          (drawn) => drawn.picture,
+          () => undefined,
+        );
+        const { picture } = await machine.ask('draw', wish);
+        if (number <= this.shown) continue;
+        this.shown = number;
+        this.show({ one, many: picture });
+      } catch {
+        // The whole run, which follows, says why.
+      }
+    }
+    if (machine === this.machine || machine === this.twin) this.idle.push(machine);
+  }
+}
