@@ -50,11 +50,10 @@ TextureRef enabled_texture(Context& c) {
     bool is_new = false;
     {
         const auto lock = c.shared->exclusive();
-        const gw::Texture* const before = object.made.get();
+        is_new = object.changed;
         texture = machine_texture(object, target, c.profile);
-        is_new = texture && texture.get() != before;
     }
-    if (is_new && c.drawable != nullptr) c.drawable->hold(byte_count(*texture));
+    if (texture && is_new && c.drawable != nullptr) c.drawable->hold(byte_count(*texture));
     return texture;
 }
 

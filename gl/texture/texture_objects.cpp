@@ -10,11 +10,9 @@ bool uses_levels(const TextureParameters& p) {
     return p.min_filter != GL_NEAREST && p.min_filter != GL_LINEAR;
 }
 
-/// The levels that the filter needs fit each other; how many. 0: not complete. [GL11] 3.8.8
+/// How many levels there are, down to one texel, if all fit each other; else 0. [GL11] 3.8.8
 int complete_levels(const TextureObject& object) {
     const TextureImage& first = object.levels[0];
-    if (first.width == 0) return 0;
-    if (!uses_levels(object.parameters)) return 1;
     int width = first.width - 2 * first.border, height = first.height - 2 * first.border;
     if (first.height == 1) height = 1;  // one dimension
     int level = 1;
@@ -59,6 +57,29 @@ TextureRef plain_texture(const TextureImage& image) {
             rgba.insert(rgba.end(), texel.begin(), texel.end());
         }
     return make_texture("", width, height, rgba);
+}
+
+/// All levels if they fit each other; else the first one, for the filters that use no others.
+void make(TextureObject& object, std::size_t target, const Profile& profile) {
+    const TextureImage& first = object.levels[0];
+    const int count = complete_levels(object);
+    object.made_with_levels = count > 0;
+    if (!profile.extensions.texture_formats ||
+        (first.border && !profile.extensions.texture_border)) {
+        object.made = plain_texture(first);
+        return;
+    }
+    Texture texture;
+    texture.format = machine_format(first.internal_format);
+    texture.dimensions = target == 0 ? 1 : 2;
+    texture.border = first.border != 0;
+    texture.given_levels = true;
+    for (int level = 0; level < std::max(1, count); ++level) {
+        const TextureImage& image = object.levels[std::size_t(level)];
+        const int rows = target == 0 ? 1 : image.height - 2 * image.border;
+        texture.levels.push_back({image.width - 2 * image.border, rows, image.rgba});
+    }
+    object.made = make_texture(std::move(texture));
 }
 
 }  // namespace
@@ -123,31 +144,12 @@ GLenum base_format(GLint internal_format) {
 }
 
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile) {
-    const bool with_levels = uses_levels(object.parameters);
-    if (!object.changed && object.made_with_levels == with_levels) return object.made;
-    object.changed = false;
-    object.made_with_levels = with_levels;
-    object.made = nullptr;
-    const int count = complete_levels(object);
-    if (count == 0) return nullptr;
-    const TextureImage& first = object.levels[0];
-    if (!profile.extensions.texture_formats ||
-        (first.border && !profile.extensions.texture_border)) {
-        object.made = plain_texture(first);
-        return object.made;
+    if (object.changed) {
+        object.made = nullptr;
+        if (object.levels[0].width > 0) make(object, target, profile);
+        object.changed = false;
     }
-    Texture texture;
-    texture.format = machine_format(first.internal_format);
-    texture.dimensions = target == 0 ? 1 : 2;
-    texture.border = first.border != 0;
-    texture.given_levels = true;
-    for (int level = 0; level < count; ++level) {
-        const TextureImage& image = object.levels[std::size_t(level)];
-        const int rows = target == 0 ? 1 : image.height - 2 * image.border;
-        texture.levels.push_back({image.width - 2 * image.border, rows, image.rgba});
-    }
-    object.made = make_texture(std::move(texture));
-    return object.made;
+    return object.made_with_levels || !uses_levels(object.parameters) ? object.made : nullptr;
 }
 
 std::size_t byte_count(const Texture& texture) {

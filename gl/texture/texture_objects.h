@@ -28,8 +28,8 @@ struct TextureObject {
     TextureParameters parameters;
     std::array<TextureImage, level_count> levels;
     bool changed = true;            ///< an image, since `made`
-    bool made_with_levels = false;  ///< for a filter that uses levels
-    TextureRef made;                ///< null: not complete
+    bool made_with_levels = false;  ///< `made` has all levels, for filters that use them
+    TextureRef made;                ///< null: there is no image
 };
 
 /// The index of a target: GL_TEXTURE_1D 0, GL_TEXTURE_2D 1.
@@ -58,7 +58,7 @@ GLenum base_format(GLint internal_format);
 
 /// The machine's texture of an object, if its images fit each other and its filter; else null. A
 /// profile without the extension texture_formats gets the first level as RGBA. It stays the same
-/// texture until an image or the levels that the filter needs change.
+/// texture until an image changes, whatever the filter is.
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile);
 
 /// The memory of a texture's texels.

@@ -1,5 +1,4 @@
 // Texture objects, images and completeness. [GL11] 3.8
-#include "gl/context/frame_log.h"
 #include "tests/gl/support/window.h"
 
 #include <thread>
@@ -340,50 +339,6 @@ TEST(GlTextures, EnvironmentsOfEveryBaseFormat) {
             EXPECT_EQ(int(pixel[i]), int(row.color[i] * 255 + 0.5))
                 << std::hex << row.format << " " << row.mode << " channel " << i;
     }
-}
-
-TEST(GlTextures, ParametersDoNotMakeAnotherTextureOfTheMachine) {
-    const Window window;
-    image_1x1(GL_RGBA, {50, 100, 150, 200});
-    TextureObject& object = *window.context.textures.bound[1];
-    const auto made = [&] { return machine_texture(object, 1, opengl()); };
-    const TextureRef first = made();
-    ASSERT_TRUE(first);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glPushAttrib(GL_TEXTURE_BIT);
-    glPopAttrib();
-    EXPECT_EQ(made(), first);
-    glTexImage2D(GL_TEXTURE_2D, 1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    EXPECT_NE(made(), first);
-}
-
-/// A frame keeps the textures that its commands draw with, those too that were replaced since.
-TEST(GlTextures, AFrameOfManyTexturesIsExecutedInParts) {
-    static int full = 0;
-    struct Counter final : FrameLog {
-        void open(Drawable&) override {}
-        void begin_frame(Drawable&) override {}
-        void executed(Drawable&, const Execution& e) override { full += e.cause == Cause::Full; }
-        void end_frame(Drawable&) override {}
-        void close(Drawable&) override {}
-    };
-    set_frame_log(std::make_unique<Counter>());
-    {
-        const Window window;
-        constexpr int side = 1024;  // 8 MB
-        const std::vector<GLubyte> texels(side * side, 255);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        for (int i = 0; i < 70; ++i) {
-            glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE, side, side, 0, GL_LUMINANCE,
-                         GL_UNSIGNED_BYTE, texels.data());
-            EXPECT_EQ(full, i / 32) << i;
-            glEnable(GL_TEXTURE_2D);
-            glRecti(-1, -1, 1, 1);
-            glDisable(GL_TEXTURE_2D);
-        }
-    }
-    set_frame_log(nullptr);
 }
 
 }  // namespace gw::gl
