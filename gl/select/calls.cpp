@@ -89,7 +89,7 @@ GLint render_mode(Context& c, GLenum mode) {
     Selection& s = c.selection;
     if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK)
         return set_error(c, GL_INVALID_ENUM), 0;
-    if ((mode == GL_SELECT && s.hits == nullptr) || (mode == GL_FEEDBACK && s.feedback == nullptr))
+    if ((mode == GL_SELECT && !s.has_hits) || (mode == GL_FEEDBACK && !s.has_feedback))
         return set_error(c, GL_INVALID_OPERATION), 0;
     flush_mesh(c);
     const GLint result = mode_result(c);
@@ -103,6 +103,7 @@ GLint render_mode(Context& c, GLenum mode) {
 void select_buffer(Context& c, GLsizei size, GLuint* buffer) {
     if (size < 0) return set_error(c, GL_INVALID_VALUE);
     if (c.selection.mode == GL_SELECT) return set_error(c, GL_INVALID_OPERATION);
+    c.selection.has_hits = true;
     c.selection.hits = buffer;
     c.selection.hits_size = buffer != nullptr ? size : 0;
 }
@@ -111,6 +112,7 @@ void feedback_buffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer) {
     if (size < 0 || (buffer == nullptr && size > 0)) return set_error(c, GL_INVALID_VALUE);
     if (!is_feedback_type(type)) return set_error(c, GL_INVALID_ENUM);
     if (c.selection.mode == GL_FEEDBACK) return set_error(c, GL_INVALID_OPERATION);
+    c.selection.has_feedback = true;
     c.selection.feedback = buffer;
     c.selection.feedback_size = size;
     c.selection.feedback_type = type;

@@ -18,6 +18,7 @@ inline constexpr std::size_t name_stack_depth = 64;
 struct Selection {
     GLenum mode = GL_RENDER;  ///< RenderMode
     // Selection
+    bool has_hits = false;  ///< SelectBuffer was called, perhaps for no memory at all
     GLuint* hits = nullptr;
     GLsizei hits_size = 0;
     GLsizei hits_used = 0;
@@ -26,6 +27,7 @@ struct Selection {
     double nearest = 1, farthest = 0;  ///< window depths of the hit, 0 .. 1
     std::vector<GLuint> names;
     // Feedback
+    bool has_feedback = false;
     GLfloat* feedback = nullptr;
     GLsizei feedback_size = 0;
     GLsizei feedback_used = 0;  ///< also counted beyond the size

@@ -373,4 +373,19 @@ TEST(GlSelection, ModesNeedTheirBuffers) {
     glRenderMode(GL_RENDER);
 }
 
+/// [GL11] 5.2, 5.3: a mode needs that its buffer was given once, of whatever size.
+TEST(GlSelection, BuffersOfNoMemoryOverflow) {
+    const Window window;
+    use_pixel_coordinates(window);
+    glSelectBuffer(0, nullptr);
+    glFeedbackBuffer(0, GL_2D, nullptr);
+    for (const GLenum mode : {GL_SELECT, GL_FEEDBACK}) {
+        glRenderMode(mode);
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+        EXPECT_EQ(glRenderMode(mode), 0);  // nothing was drawn
+        run(GL_POINTS, {{3, 4}});
+        EXPECT_EQ(glRenderMode(GL_RENDER), -1);
+    }
+}
+
 }  // namespace gw::gl
