@@ -28,7 +28,7 @@ const std::vector<Suite>& suites() {
         {"lights", {transform_steps(), lighting_steps()}, {{"lit shape", draw_lit_shape}}},
         {"textures",
          {texture_steps(), texture_steps(), transform_steps()},
-         {{"shape", draw_shape}, {"read texture", read_texture}}},
+         {{"textured shape", draw_textured_shape}, {"read texture", read_texture}}},
         {"fragments", {fragment_steps()}, {{"shape", draw_shape}}},
         {"surfaces", {transform_steps()}, {{"surface", draw_surface}}},
         {"rectangles",

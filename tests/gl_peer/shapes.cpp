@@ -72,7 +72,8 @@ void add_quad_strip(std::vector<Corner>& out, Random& random, const Affine& affi
                                     GLfloat(slope * i * step + side * height - 0.4)));
 }
 
-/// Unless it may be uneven, a shape looks the same however it is cut into triangles.
+/// Unless it may be uneven, a shape looks the same however it is cut into triangles. What overlaps is
+/// not on one plane: rounding would decide what is in front.
 Shape some_shape(Random& random, bool may_be_uneven) {
     constexpr GLenum uneven[] = {GL_POINTS,    GL_LINES,          GL_LINE_STRIP,  GL_LINE_LOOP,
                                  GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
@@ -81,16 +82,17 @@ Shape some_shape(Random& random, bool may_be_uneven) {
     const Affine affine(random);
     const int n = random.between(0, 4);
     if (out.mode == GL_QUADS)
-        for (int i = 0; i < n; ++i) add_convex(out.corners, random, affine, 4);
-    else if (out.mode == GL_QUAD_STRIP)
-        add_quad_strip(out.corners, random, affine, n + 1);
+        for (int i = 0; i < n; ++i) add_convex(out.corners, random, Affine(random), 4);
+    else if (out.mode == GL_QUAD_STRIP)  // enough: Mesa's lists draw a quad of three vertices
+        add_quad_strip(out.corners, random, affine, n + 2);
     else if (out.mode == GL_POLYGON)
         add_convex(out.corners, random, affine, n + 3);
     else
-        for (int i = 0; i < 3 + 2 * n; ++i)  // enough: Mesa's lists draw strips of two vertices
-            out.corners.push_back(corner_at(random, may_be_uneven ? nullptr : &affine,
-                                            GLfloat(random.real(-1.1, 1.1)),
-                                            GLfloat(random.real(-1.1, 1.1))));
+        for (int i = 0; i < 3 + 2 * n; ++i) {  // enough: Mesa's lists draw strips of two vertices
+            const auto x = GLfloat(random.real(-1.1, 1.1)), y = GLfloat(random.real(-1.1, 1.1));
+            out.corners.push_back(corner_at(random, may_be_uneven ? nullptr : &affine, x, y));
+            out.corners.back().position[2] = fraction(random, -1, 1);
+        }
     // Left over: too few for the last primitive.
     for (int i = random.chance(10) ? 1 : 0; i > 0 && out.mode != GL_POLYGON; --i)
         out.corners.push_back(corner_at(random, &affine, 0.1f, 0.2f));
@@ -170,7 +172,9 @@ void emit(const Gl& gl, const Shape& shape, Random& random) {
 void set_current(const Gl& gl, Random& random) {
     gl.Color4fv(some_color(random).data());
     gl.Normal3f(0, 0.6f, 0.8f);
-    gl.TexCoord2f(fraction(random, 0, 1), fraction(random, 0, 1));
+    constexpr GLfloat off_edges = 1.0f / 128;  // of texels, where rounding decides
+    const GLfloat u = fraction(random, 0, 1) + off_edges;
+    gl.TexCoord2f(u, fraction(random, 0, 1) + off_edges);
     gl.EdgeFlag(GL_TRUE);
 }
 
@@ -218,12 +222,28 @@ void draw_shape(const Gl& gl, Random& random, Results& out) {
     draw_shapes(gl, random, out, random.chance(40));
 }
 
-/// Far from the window's sides, which clip no points here, and add no lines to polygons.
+/// Far from the window's sides, which clip no points here, and add no lines to polygons. The order of
+/// a polygon's edges is open, so wide ones have one colour.
 void draw_inner_shape(const Gl& gl, Random& random, Results& out) {
+    std::array<GLint, 2> modes{};
+    std::array<GLfloat, 2> sizes{};
+    gl.GetIntegerv(GL_POLYGON_MODE, modes.data());
+    gl.GetFloatv(GL_POINT_SIZE, &sizes[0]);
+    gl.GetFloatv(GL_LINE_WIDTH, &sizes[1]);
+    const bool has_edges = modes[0] != GL_FILL || modes[1] != GL_FILL;
+    if (has_edges && sizes != std::array<GLfloat, 2>{1, 1}) gl.ShadeModel(GL_FLAT);
     gl.PushMatrix();
     gl.Scalef(0.6f, 0.6f, 1);
     draw_shapes(gl, random, out, true);
     gl.PopMatrix();
+}
+
+/// Mesa draws with the texture of one dimension if that of two, which comes first, has no image.
+void draw_textured_shape(const Gl& gl, Random& random, Results& out) {
+    GLint width = 0;
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    if (width == 0 && gl.IsEnabled(GL_TEXTURE_2D)) gl.Disable(GL_TEXTURE_1D);
+    draw_shape(gl, random, out);
 }
 
 void draw_lit_shape(const Gl& gl, Random& random, Results& out) {

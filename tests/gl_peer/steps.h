@@ -27,6 +27,7 @@ std::span<const StepKind> pixel_steps();
 // Steps that draw and give results.
 void draw_shape(const Gl& gl, Random& random, Results& out);
 void draw_inner_shape(const Gl& gl, Random& random, Results& out);
+void draw_textured_shape(const Gl& gl, Random& random, Results& out);
 void draw_lit_shape(const Gl& gl, Random& random, Results& out);
 void draw_rectangle(const Gl& gl, Random& random, Results& out);
 void draw_copy(const Gl& gl, Random& random, Results& out);
