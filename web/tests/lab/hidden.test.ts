@@ -17,6 +17,25 @@ it('runs an algorithm and follows the keys', async () => {
   expect(await output()).toBe(`1 of ${all}`);
 });
 
+it('begins the machine while the page is still read', async () => {
+  await thePage().evaluateOnNewDocument(() => {
+    const begun: boolean[] = [];
+    Object.assign(window, { allThere: begun });
+    window.Worker = class extends Worker {
+      constructor(address: string | URL) {
+        super(address);
+        begun.push(['scalar', 'editor', 'app'].some((id) => document.getElementById(id)));
+      }
+    };
+  });
+  await open('#lang=en&scene=hidden/cycle.toml&algorithm=newell&size=64x48');
+  await thePage().waitForSelector('.stack');
+  const workers = await thePage().evaluate(
+    () => (window as unknown as { allThere: boolean[] }).allThere,
+  );
+  expect(workers).toEqual([false]); // one, before the rest of the page
+});
+
 it('turns the eye by a drag, and keeps it in the link', async () => {
   await open('#lang=en&scene=hidden/cycle.toml&algorithm=bsp,newell&size=160x120');
   await thePage().waitForSelector('.stack');
