@@ -3,7 +3,10 @@
 #include "tests/gl/support/snapshot.h"
 #include "tests/gl/support/window.h"
 
+#include <sys/mman.h>
+
 #include <limits>
+#include <new>
 #include <random>
 
 namespace gw::gl {
@@ -18,13 +21,26 @@ private:
     std::mt19937 engine_;
 };
 
-/// Memory for every pointer: larger than any call here may read or write.
-struct Memory {
-    static constexpr std::size_t size = 1 << 18;
-    std::vector<GLubyte> bytes = std::vector<GLubyte>(size);
+/// Memory for every pointer: larger than any call here may read or write, with the rows that it
+/// skips. Pages that no call touches cost nothing.
+class Memory {
+public:
     explicit Memory(Random& random) {
-        for (GLubyte& byte : bytes) byte = GLubyte(random.below(4) == 0 ? random.below(256) : 0);
+        void* const at = mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (at == MAP_FAILED) throw std::bad_alloc();
+        bytes = static_cast<GLubyte*>(at);
+        for (std::size_t i = 0; i < random_size; ++i)
+            bytes[i] = GLubyte(random.below(4) == 0 ? random.below(256) : 0);
     }
+    ~Memory() { munmap(bytes, size); }
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+
+    GLubyte* bytes;  ///< those after the first are 0
+
+private:
+    static constexpr std::size_t size = std::size_t(1) << 36, random_size = 1 << 18;
 };
 
 struct Arguments {
@@ -64,7 +80,7 @@ struct Arguments {
         if (choice == 1) return int(token());
         return int(random.below(choice < 8 ? 5 : 33));
     }
-    void* pointer() { return memory.bytes.data() + 8 * random.below(16); }
+    void* pointer() { return memory.bytes + 8 * random.below(16); }
 
     template <class T>
     T value() {
@@ -122,7 +138,7 @@ void leave_all(Memory& memory) {
     leave_begin();
     glEndList();
     glRenderMode(GL_RENDER);
-    glSelectBuffer(64, reinterpret_cast<GLuint*>(memory.bytes.data()));
+    glSelectBuffer(64, reinterpret_cast<GLuint*>(memory.bytes));
     glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     glPixelStorei(GL_PACK_ROW_LENGTH, 0);
     for (const GLenum name :

@@ -165,11 +165,10 @@ TEST(GlPixels, DepthAndStencilRectangles) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glRasterPos2i(3, 4);
-    glDrawPixels(2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencils);
-    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glDrawPixels(2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, stencils);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     glDrawPixels(2, 2, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths);
     std::array<GLubyte, 4> read{};
     glReadPixels(3, 4, 2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, read.data());
