@@ -71,6 +71,7 @@ void select(const Gl& gl, Random& random, Results& out) {
     // Mesa wants memory, but changes the mode without it too.
     std::vector<GLuint> buffer(random.chance(85) ? 256 : std::size_t(random.between(1, 11)));
     leave_out_of_answers(gl);
+    gl.DepthRange(0.125, 0.875);  // of depth 1, Mesa makes the word 0
     gl.SelectBuffer(GLsizei(buffer.size()), buffer.data());
     gl.RenderMode(GL_SELECT);
     gl.InitNames();

@@ -25,6 +25,9 @@ GLfloat fraction(Random& random, int low, int high) {
     return GLfloat(random.between(64 * low, 64 * high)) / 64;
 }
 
+/// Not on the planes in front and behind, where rounding decides.
+GLfloat some_depth(Random& random) { return GLfloat(random.between(-63, 63)) / 64; }
+
 /// Colours and depths that are affine in x and y, so that it does not matter how a polygon is cut.
 struct Affine {
     explicit Affine(Random& random) {
@@ -40,7 +43,7 @@ struct Affine {
 
 Corner corner_at(Random& random, const Affine* affine, GLfloat x, GLfloat y) {
     Corner out;
-    out.position = {x, y, affine ? affine->at(4, x, y) - 0.5f : fraction(random, -1, 1)};
+    out.position = {x, y, affine ? affine->at(4, x, y) - 0.5f : some_depth(random)};
     out.color = some_color(random);
     if (affine)
         for (std::size_t i = 0; i < 4; ++i) out.color[i] = affine->at(i, x, y);
@@ -91,7 +94,7 @@ Shape some_shape(Random& random, bool may_be_uneven) {
         for (int i = 0; i < 3 + 2 * n; ++i) {  // enough: Mesa's lists draw strips of two vertices
             const auto x = GLfloat(random.real(-1.1, 1.1)), y = GLfloat(random.real(-1.1, 1.1));
             out.corners.push_back(corner_at(random, may_be_uneven ? nullptr : &affine, x, y));
-            out.corners.back().position[2] = fraction(random, -1, 1);
+            out.corners.back().position[2] = some_depth(random);
         }
     // Left over: too few for the last primitive.
     for (int i = random.chance(10) ? 1 : 0; i > 0 && out.mode != GL_POLYGON; --i)
