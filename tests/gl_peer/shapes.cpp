@@ -28,12 +28,13 @@ GLfloat fraction(Random& random, int low, int high) {
 /// Not on the planes in front and behind, where rounding decides.
 GLfloat some_depth(Random& random) { return GLfloat(random.between(-63, 63)) / 64; }
 
-/// Colours and depths that are affine in x and y, so that it does not matter how a polygon is cut.
+/// Colours and depths inside 0 .. 1 that are affine in x and y, so that it does not matter how a
+/// polygon is cut.
 struct Affine {
     explicit Affine(Random& random) {
         for (auto& row : rows)
-            row = {GLfloat(random.real(0.3, 0.7)), GLfloat(random.real(-0.2, 0.2)),
-                   GLfloat(random.real(-0.2, 0.2))};
+            row = {GLfloat(random.real(0.4, 0.6)), GLfloat(random.real(-0.11, 0.11)),
+                   GLfloat(random.real(-0.11, 0.11))};
     }
     std::array<std::array<GLfloat, 3>, 5> rows;  ///< red, green, blue, alpha, depth
     GLfloat at(std::size_t i, GLfloat x, GLfloat y) const {
