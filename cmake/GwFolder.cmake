@@ -17,8 +17,10 @@ target_compile_options(gw_warnings INTERFACE
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
     "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
-# -O1 saves more time in compiling tests than it costs in running them. At -O1, g++ reports the value of an empty std::optional as used.
+# -O1 saves more time in compiling tests that compute than it costs in running them, -O0 in compiling the others. At -O1, g++ reports the
+# value of an empty std::optional as used.
 set(gw_test_options $<$<CONFIG:Release>:-O1> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+set(gw_plain_test_options $<$<CONFIG:Release>:-O0>)
 
 # In a batch, g++ takes a source for a header, in which types must not have members from anonymous namespaces. What it finds by following
 # inlined calls depends on the batch, so it warns without ending the build.
@@ -174,10 +176,11 @@ function(gw_command name source)
     target_link_libraries(${name} PRIVATE ${arg_LINK})
 endfunction()
 
-# gw_test(FOLDER SUFFIX [LABEL label] [TIMEOUT seconds] [LINK library...])
+# gw_test(FOLDER SUFFIX [COMPUTES] [LABEL label] [TIMEOUT seconds] [LINK library...])
 # All *.cpp below tests/FOLDER/SUFFIX become bin/test_FOLDER_SUFFIX, every TEST of it a test of ctest. SUFFIX may be "": all but long/.
+# COMPUTES: the tests themselves take long to run, not only what they call.
 function(gw_test folder suffix)
-    cmake_parse_arguments(PARSE_ARGV 2 arg "" "LABEL;TIMEOUT" "LINK")
+    cmake_parse_arguments(PARSE_ARGV 2 arg "COMPUTES" "LABEL;TIMEOUT" "LINK")
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
     list(TRANSFORM sources REPLACE "//" "/")
     if(NOT suffix)
@@ -189,8 +192,14 @@ function(gw_test folder suffix)
     string(REGEX REPLACE "_$" "" name test_${folder}_${suffix})
     gw_batch_tests(${name} sources)
     gw_command(${name} "${sources}" LINK ${arg_LINK} GTest::gtest_main)
-    gw_use_precompiled(${name} test)
-    target_compile_options(${name} PRIVATE ${gw_test_options} ${gw_batch_options})
+    if(arg_COMPUTES)
+        gw_use_precompiled(${name} test)
+        target_compile_options(${name} PRIVATE ${gw_test_options})
+    else()
+        gw_use_precompiled(${name} plain_test)
+        target_compile_options(${name} PRIVATE ${gw_plain_test_options})
+    endif()
+    target_compile_options(${name} PRIVATE ${gw_batch_options})
     configure_file(${PROJECT_SOURCE_DIR}/tests/test_paths.h.in ${PROJECT_BINARY_DIR}/generated/test_paths.h @ONLY)
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60

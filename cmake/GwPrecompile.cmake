@@ -28,4 +28,6 @@ gw_position_independent(gw_precompiled_library)  # as the libraries are: g++ tak
 if(GW_WITH_TESTS)
     find_package(GTest REQUIRED)
     gw_precompile(test LINK fmt::fmt glm::glm GTest::gtest_main HEADERS ${gw_common_headers} <gtest/gtest.h>)
+    gw_precompile(plain_test LINK fmt::fmt glm::glm GTest::gtest_main HEADERS ${gw_common_headers} <gtest/gtest.h>)
+    target_compile_options(gw_precompiled_plain_test PRIVATE ${gw_plain_test_options})
 endif()
