@@ -66,6 +66,8 @@ const NearTexels* texels_of(const NearPart& part, std::uint32_t facet) {
 
 }  // namespace
 
+double Row::sum() const { return sum_of(factors) + backs + escaped; }
+
 void check(const FormFactorOptions& options) {
     if (options.hemicube < 8 || options.hemicube > max_window_size || options.hemicube % 2 != 0)
         throw Error(fmt::format("hemicube of {} pixels; expected an even number, 8..{}",
@@ -92,49 +94,85 @@ FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& opti
     figures_.resize(model.facets.size());
     for (const Pixmap& pixmap : model.pixmaps) joined_.push_back(joined_texels(model, pixmap));
     slots_.resize(slots);
-    factors_.resize(model.texel_count());
+    for (auto& factors : factors_) factors.resize(model.texel_count());
 }
 
-Row FormFactors::from_patch(std::size_t patch) {
+Row FormFactors::from_patch(std::size_t patch) { return combined(from_quarters(patch)); }
+
+std::vector<Row> FormFactors::from_quarters(std::size_t patch) {
     return from(shooting_of(model_, model_.patches[patch], point_options(options_)), patch);
 }
 
-Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_t turns) {
-    return from({.points = points, .near_parts = {}}, turns);
+bool FormFactors::has_quarters(std::size_t patch) const {
+    return shooting_of(model_, model_.patches[patch], point_options(options_)).has_quarters;
 }
 
-Row FormFactors::from(const Shooting& shooting, std::uint64_t turns) {
-    const std::vector<ShootPoint>& points = shooting.points;
+Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_t turns) {
+    return from({.points = points, .near_parts = {}}, turns).front();
+}
+
+namespace {
+
+void take(const std::vector<double>& factors, Row& row) {
+    for (std::size_t t = 0; t < factors.size(); ++t) {
+        if (factors[t] == 0) continue;
+        row.texels.push_back(static_cast<std::uint32_t>(t));
+        row.factors.push_back(factors[t]);
+    }
+}
+
+std::size_t group_of(const Shooting& shooting, const ShootPoint& point) {
+    return shooting.has_quarters ? std::size_t(point.quarter) : 0;
+}
+
+}  // namespace
+
+Row FormFactors::combined(const std::vector<Row>& quarters) {
+    if (quarters.size() == 1) return quarters.front();
     Row row;
-    row.hemicubes = static_cast<int>(points.size());
-    double enclosed = 0;
-    std::fill(factors_.begin(), factors_.end(), 0.0);
+    std::vector<double>& factors = factors_[0];
+    std::fill(factors.begin(), factors.end(), 0.0);
+    for (const Row& quarter : quarters) {
+        for (std::size_t i = 0; i < quarter.texels.size(); ++i)
+            factors[quarter.texels[i]] += quarter.factors[i] / 4;
+        row.backs += quarter.backs / 4;
+        row.escaped += quarter.escaped / 4;
+        row.hemicubes += quarter.hemicubes;
+    }
+    take(factors, row);
+    return row;
+}
+
+std::vector<Row> FormFactors::from(const Shooting& shooting, std::uint64_t turns) {
+    const std::vector<ShootPoint>& points = shooting.points;
+    std::vector<Row> rows(shooting.has_quarters ? 4 : 1);
+    enclosed_.fill(0);
+    for (std::size_t g = 0; g < rows.size(); ++g)
+        std::fill(factors_[g].begin(), factors_[g].end(), 0.0);
     for (std::size_t first = 0; first < points.size(); first += slots) {
         const std::size_t count = std::min(slots, points.size() - first);
         draw(shooting, first, count, turns);
         scan(count);
-        enclosed += sum(points, first, count, row);
+        sum(shooting, first, count, rows);
     }
-    const double shares = divide_among_open(row, enclosed);
-    if (!shooting.near_parts.empty()) add_near(shooting.near_parts, shares, row);
-    for (std::size_t t = 0; t < factors_.size(); ++t) {
-        if (factors_[t] == 0) continue;
-        row.texels.push_back(static_cast<std::uint32_t>(t));
-        row.factors.push_back(factors_[t]);
-    }
-    return row;
+    std::array<double, 4> grow{};
+    for (std::size_t g = 0; g < rows.size(); ++g)
+        grow[g] = divide_among_open(rows[g], enclosed_[g], factors_[g]);
+    if (!shooting.near_parts.empty()) add_near(shooting, grow, rows);
+    for (std::size_t g = 0; g < rows.size(); ++g) take(factors_[g], rows[g]);
+    return rows;
 }
 
 /// Points that see nothing but backs are inside of something that stands on the patch. No light
 /// falls there, so it comes from the other points. Returns by how much their shares grow.
-double FormFactors::divide_among_open(Row& row, double enclosed) {
+double FormFactors::divide_among_open(Row& row, double enclosed, std::vector<double>& factors) {
     if (enclosed == 0) return 1;
     if (enclosed > 1 - 1e-9) {
         row.backs += enclosed;
         return 1;
     }
     const double grow = 1 / (1 - enclosed);
-    for (double& factor : factors_) factor *= grow;
+    for (double& factor : factors) factor *= grow;
     row.escaped *= grow;
     row.backs *= grow;
     return grow;
@@ -142,36 +180,48 @@ double FormFactors::divide_among_open(Row& row, double enclosed) {
 
 // The points' hemicubes and the near texels see the same light in two ways. All of it goes
 // somewhere: the other texels are scaled, as the near ones are exact.
-void FormFactors::add_near(const std::vector<NearPart>& parts, double shares, Row& row) {
+void FormFactors::add_near(const Shooting& shooting, const std::array<double, 4>& grow,
+                           std::vector<Row>& rows) {
     struct Texel {
         const NearPart* part;
         const NearTexels* texels;
         int u, v;
+        std::size_t group;
         double factor = 0;
     };
     std::vector<Texel> list;
-    for (const NearPart& part : parts)
+    for (const ShootPoint& point : shooting.points) {
+        if (point.near_part == no_part) continue;
+        const NearPart& part = shooting.near_parts[point.near_part];
         for (const NearTexels& texels : part.texels)
             for (int v = texels.first.y; v < texels.end.y; ++v)
                 for (int u = texels.first.x; u < texels.end.x; ++u)
-                    list.push_back({&part, &texels, u, v});
+                    list.push_back({&part, &texels, u, v, group_of(shooting, point)});
+    }
+    const auto groups = double(rows.size());
     parallel_for(list.size(), options_.threads, [&](std::size_t i, int) {
         Texel& t = list[i];
-        t.factor = shares * t.part->share * near_factor(model_, *t.part, *t.texels, t.u, t.v);
+        t.factor = grow[t.group] * groups * t.part->share *
+                   near_factor(model_, *t.part, *t.texels, t.u, t.v);
     });
-    double near = 0;
+    double near = 0, far = 0, left = 0;
     for (const Texel& t : list) near += t.factor;
-    const double far = sum_of(factors_), left = 1 - row.escaped - row.backs;
+    for (std::size_t g = 0; g < rows.size(); ++g) {
+        far += sum_of(factors_[g]);
+        left += 1 - rows[g].escaped - rows[g].backs;
+    }
     const bool only_far = far > 0 && std::abs((left - near) / far - 1) < 0.5;
-    if (only_far)
-        for (double& factor : factors_) factor *= (left - near) / far;
+    const auto scale = [&](double by) {
+        for (std::size_t g = 0; g < rows.size(); ++g)
+            for (double& factor : factors_[g]) factor *= by;
+    };
+    if (only_far) scale((left - near) / far);
     for (const Texel& t : list) {
         const Pixmap& pixmap = model_.pixmaps[model_.facets[t.texels->facet].pixmap];
         const std::uint32_t element = model_.nearest[pixmap.texel(t.u, t.v)];
-        if (element != no_texel) factors_[element] += t.factor;
+        if (element != no_texel) factors_[t.group][element] += t.factor;
     }
-    if (!only_far)
-        for (double& factor : factors_) factor *= left / (near + far);
+    if (!only_far) scale(left / (near + far));
 }
 
 Hemicube FormFactors::hemicube_on(const std::vector<ShootPoint>& points, std::size_t number,
@@ -276,32 +326,37 @@ double FormFactors::scale_of(const Slot& slot) const {
     return texels > 0 ? std::max(left, 0.0) / texels : 0;
 }
 
-/// Returns the shares of the points that see nothing but backs: they are not added.
-double FormFactors::sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
-                        Row& row) {
-    std::array<double, slots> shares{};
-    for (std::size_t k = 0; k < count; ++k)
-        shares[k] = points[first + k].share * scale_of(slots_[k]);
+// Points that see nothing but backs are not added (divide_among_open).
+void FormFactors::sum(const Shooting& shooting, std::size_t first, std::size_t count,
+                      std::vector<Row>& rows) {
+    std::array<double, slots> shares{}, scaled{};
+    std::array<std::size_t, slots> groups{};
+    for (std::size_t k = 0; k < count; ++k) {
+        const ShootPoint& point = shooting.points[first + k];
+        groups[k] = group_of(shooting, point);
+        shares[k] = point.share * double(rows.size());
+        scaled[k] = shares[k] * scale_of(slots_[k]);
+    }
     parallel_for(model_.pixmaps.size(), options_.threads, [&](std::size_t i, int) {
         const Pixmap& pixmap = model_.pixmaps[i];
         for (std::size_t k = 0; k < count; ++k) {
             if (slots_[k].sums[i] == 0) continue;
             const double* const from = slots_[k].factors.data();
+            double* const to = factors_[groups[k]].data();
             for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t)
-                factors_[t] += shares[k] * from[t];
+                to[t] += scaled[k] * from[t];
         }
     });
-    double enclosed = 0;
     for (std::size_t k = 0; k < count; ++k) {
-        const double share = points[first + k].share;
+        Row& row = rows[groups[k]];
+        ++row.hemicubes;
         if (is_enclosed(slots_[k])) {
-            enclosed += share;
+            enclosed_[groups[k]] += shares[k];
             continue;
         }
-        row.escaped += share * slots_[k].escaped;
-        for (double backs : slots_[k].backs) row.backs += share * backs;
+        row.escaped += shares[k] * slots_[k].escaped;
+        for (double backs : slots_[k].backs) row.backs += shares[k] * backs;
     }
-    return enclosed;
 }
 
 bool FormFactors::is_enclosed(const Slot& slot) {

@@ -40,6 +40,8 @@ struct Row {
     double backs = 0;                   ///< to sides of figures that neither emit nor reflect
     double escaped = 0;                 ///< out of the scene
     int hemicubes = 0;
+
+    double sum() const;
 };
 
 class FormFactors {
@@ -48,6 +50,12 @@ public:
 
     /// Throws Canceled when asked to stop.
     Row from_patch(std::size_t patch);
+    /// Of the patch's quarters; one row if it has none (Shooting). All light goes somewhere in the
+    /// mean over the quarters. One alone may add up to a little more or less than 1.
+    std::vector<Row> from_quarters(std::size_t patch);
+    bool has_quarters(std::size_t patch) const;
+    /// If the quarters send the same light. Each bit is as from_patch's.
+    Row combined(const std::vector<Row>& quarters);
     /// From differential elements, each with its share of the whole. `turns`: a number that names
     /// them.
     Row from_points(const std::vector<ShootPoint>& points, std::uint64_t turns);
@@ -80,18 +88,19 @@ private:
         double escaped = 0;
     };
 
-    Row from(const Shooting& shooting, std::uint64_t turns);
+    std::vector<Row> from(const Shooting& shooting, std::uint64_t turns);
     void draw(const Shooting& shooting, std::size_t first, std::size_t count, std::uint64_t turns);
     void scan(std::size_t count);
     void scan_pixmap(Slot& slot, std::uint32_t pixmap, Scratch& scratch) const;
     double scan_facet(Slot& slot, std::uint32_t facet, std::span<double> factors,
                       Scratch& scratch) const;
     double scan_beside(Slot& slot, const NearTexels& texels, Scratch& scratch) const;
-    double sum(const std::vector<ShootPoint>& points, std::size_t first, std::size_t count,
-               Row& row);
+    void sum(const Shooting& shooting, std::size_t first, std::size_t count,
+             std::vector<Row>& rows);
     static bool is_enclosed(const Slot& slot);
-    double divide_among_open(Row& row, double enclosed);
-    void add_near(const std::vector<NearPart>& parts, double shares, Row& row);
+    static double divide_among_open(Row& row, double enclosed, std::vector<double>& factors);
+    void add_near(const Shooting& shooting, const std::array<double, 4>& grow,
+                  std::vector<Row>& rows);
     double scale_of(const Slot& slot) const;
 
     const PixmapModel& model_;
@@ -101,7 +110,8 @@ private:
     std::vector<std::vector<std::uint32_t>> joined_;   ///< texels that are no elements, by pixmap
     std::vector<Scratch> scratch_;                     ///< one for each thread
     std::vector<Slot> slots_;
-    std::vector<double> factors_;
+    std::array<std::vector<double>, 4> factors_;  ///< of the quarters
+    std::array<double, 4> enclosed_{};            ///< shares of their points
 };
 
 }  // namespace gw::radiosity

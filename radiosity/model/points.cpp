@@ -66,21 +66,22 @@ public:
           options_(options),
           smallest_part_(smallest_part(pixmap_, options)) {
         const Part whole{{patch.x, patch.y}, {patch.x + patch.width, patch.y + patch.height}};
-        add(whole, covered(model, pixmap_, whole));
+        add(whole, covered(model, pixmap_, whole), -1);
     }
     Shooting shooting;
 
 private:
-    void add(const Part& part, const Covered& found) {
+    /// patch_quarter: that has the part; -1: the part is the whole patch.
+    void add(const Part& part, const Covered& found, int patch_quarter) {
         if (!found.facet) return;
         const dvec2 size = part.high - part.low, middle = (part.low + part.high) / 2.0;
         const double extent =
             std::max(length(found.facet->du) * size.x, length(found.facet->dv) * size.y);
         const bool is_near = near_something(found.facet->at(found.middle), *found.facet, extent);
         const bool split_for_shadows = divides_for_shadows(part);
-        const std::uint32_t near =
-            is_near && !split_for_shadows ? add_near_part(part, found, extent) : no_part;
-        const bool split = split_for_shadows || (is_near && near == no_part && is_divisible(part));
+        const std::optional<NearPart> near =
+            is_near && !split_for_shadows ? near_part(part, found, extent) : std::nullopt;
+        const bool split = split_for_shadows || (is_near && !near && is_divisible(part));
         const dvec2 offset = size / (2 * std::sqrt(3.0));
         for (int quarter = 0; quarter < 4; ++quarter) {
             const dvec2 sign(quarter & 1 ? 1 : -1, quarter & 2 ? 1 : -1);
@@ -89,29 +90,30 @@ private:
                 {quarter & 1 ? part.high.x : middle.x, quarter & 2 ? part.high.y : middle.y}};
             const Covered in_quarter = covered(model_, pixmap_, q);
             if (!in_quarter.facet) continue;
+            const int in = patch_quarter < 0 ? quarter : patch_quarter;
             if (split) {
-                add(q, in_quarter);
+                add(q, in_quarter, in);
                 continue;
             }
             const dvec2 uv = found.whole(part) ? middle + sign * offset : in_quarter.middle;
-            add_point(in_quarter, uv, extent * std::sqrt(in_quarter.facet_share / q.area()), near);
+            add_point(in_quarter, uv, extent * std::sqrt(in_quarter.facet_share / q.area()));
+            shooting.points.back().quarter = in;
+            if (!near) continue;
+            shooting.points.back().near_part = std::uint32_t(shooting.near_parts.size());
+            shooting.near_parts.push_back({near->facet, q, 0, near->texels});
         }
     }
 
-    void add_point(const Covered& found, const dvec2& uv, double size, std::uint32_t near) {
+    void add_point(const Covered& found, const dvec2& uv, double size) {
         const dvec3 p = found.facet->at(uv);
         shooting.points.push_back({p, found.facet->normal, found.area / patch_.area, size,
-                                   nearest(p, *found.facet, nearest_known * size), near});
+                                   nearest(p, *found.facet, nearest_known * size)});
     }
 
-    /// Its number, or no_part.
-    std::uint32_t add_near_part(const Part& part, const Covered& found, double extent) {
-        if (!options_.near_parts || !found.whole(part)) return no_part;
+    std::optional<NearPart> near_part(const Part& part, const Covered& found, double extent) const {
+        if (!options_.near_parts || !found.whole(part)) return std::nullopt;
         const auto facet = static_cast<std::uint32_t>(found.facet - model_.facets.data());
-        auto near = near_part_of(model_, facet, part, extent / options_.nearness);
-        if (!near) return no_part;
-        shooting.near_parts.push_back(std::move(*near));
-        return static_cast<std::uint32_t>(shooting.near_parts.size() - 1);
+        return near_part_of(model_, facet, part, extent / options_.nearness);
     }
 
     /// The distance of the nearest surface above own's plane; infinite if it is more than `most`.
@@ -178,10 +180,15 @@ Shooting shooting_of(const PixmapModel& model, const Patch& patch, const PointOp
     Shooting shooting = Points(model, patch, options).shooting;
     double sum = 0;
     for (const ShootPoint& point : shooting.points) sum += point.share;
+    std::array<double, 4> quarters{};
     for (ShootPoint& point : shooting.points) {
         point.share /= sum;
-        if (point.near_part != no_part) shooting.near_parts[point.near_part].share += point.share;
+        quarters[std::size_t(point.quarter)] += point.share;
+        if (point.near_part != no_part) shooting.near_parts[point.near_part].share = point.share;
     }
+    shooting.has_quarters = std::min(patch.width, patch.height) > 1 &&
+                            std::all_of(quarters.begin(), quarters.end(),
+                                        [](double share) { return std::abs(share - 0.25) < 1e-9; });
     return shooting;
 }
 

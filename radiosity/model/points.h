@@ -20,6 +20,7 @@ struct ShootPoint {
     double nearest = std::numeric_limits<double>::infinity();
     /// of Shooting::near_parts: the part that the point stands for; none: no_part
     std::uint32_t near_part = no_part;
+    int quarter = 0;  ///< of the patch: 1 has the higher u, 2 the higher v, 3 both
 };
 
 /// A surface farther from a point than this part of ShootPoint::size is not looked for.
@@ -43,6 +44,8 @@ struct Shooting {
     std::vector<ShootPoint> points;
     /// Their texels are left out by the points: they are in closed form.
     std::vector<NearPart> near_parts;
+    /// Whether the patch has quarters of texels, all covered: they may send different light.
+    bool has_quarters = false;
 };
 
 /// At most four points for each undivided part. If figures cover it all, they are those of Gauss' rule,

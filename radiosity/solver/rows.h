@@ -9,18 +9,20 @@ namespace gw::radiosity {
 
 class Rows {
 public:
-    /// Null if the patch's row is not kept.
-    const Row* find(std::size_t patch) const {
+    /// A patch's row, or those of its quarters. Null if they are not kept.
+    const std::vector<Row>* find(std::size_t patch) const {
         const auto found = rows_.find(patch);
         return found == rows_.end() ? nullptr : &found->second;
     }
 
-    /// Keeps a row, unless all together would have more than `most` bytes.
-    void keep(std::size_t patch, Row row, std::size_t most) {
-        const std::size_t more = size_of(row);
-        if (bytes_ + more > most || rows_.contains(patch)) return;
+    /// Keeps rows in place of those of the patch before, unless all together would have more than
+    /// `most` bytes.
+    void keep(std::size_t patch, std::vector<Row> rows, std::size_t most) {
+        const std::size_t more = size_of(rows);
+        drop(patch);
+        if (bytes_ + more > most) return;
         bytes_ += more;
-        rows_.emplace(patch, std::move(row));
+        rows_.emplace(patch, std::move(rows));
     }
 
     void drop(std::size_t patch) {
@@ -33,11 +35,14 @@ public:
     std::size_t bytes() const { return bytes_; }
 
 private:
-    static std::size_t size_of(const Row& row) {
-        return sizeof row + row.texels.size() * (sizeof(double) + sizeof(std::uint32_t));
+    static std::size_t size_of(const std::vector<Row>& rows) {
+        std::size_t bytes = 0;
+        for (const Row& row : rows)
+            bytes += sizeof row + row.texels.size() * (sizeof(double) + sizeof(std::uint32_t));
+        return bytes;
     }
 
-    std::unordered_map<std::size_t, Row> rows_;
+    std::unordered_map<std::size_t, std::vector<Row>> rows_;
     std::size_t bytes_ = 0;
 };
 

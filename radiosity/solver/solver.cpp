@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw::radiosity {
@@ -59,22 +60,70 @@ std::optional<Shot> Solver::shoot() {
     const auto [patch, flux] = brightest();
     if (flux == dvec3(0)) return std::nullopt;
     Shot shot{patch, flux, 0};
-    const Row row = row_of(patch, &shot.hemicubes);
+    const std::vector<dvec3> light = light_of_quarters(patch, flux);
+    const std::vector<Row> rows = light.empty() ? std::vector{row_of(patch, &shot.hemicubes)}
+                                                : quarters_of(patch, &shot.hemicubes);
     for_each_texel(*model_, model_->patches[patch],
                    [&](std::size_t t) { solution_.unshot[t] = dvec3(0); });
-    receive(row, flux);
+    if (rows.size() == 1)
+        receive(rows.front(), flux);
+    else
+        for (std::size_t q = 0; q < rows.size(); ++q) receive(rows[q], light[q] / rows[q].sum());
     ++solution_.shots;
     return shot;
 }
 
-// A row depends on the patch alone, so that a shot has the same bits whether the row was kept or
-// not.
+namespace {
+
+/// The part of a texel's light that the quarter on one side sends; `at` from the patch's middle, in
+/// halves of its side. It goes to the quarters' middles so that its centre stays where it is.
+double part_of(double at, bool high) { return 0.5 + (high ? 1 : -1) * std::clamp(at, -0.5, 0.5); }
+
+/// In parts of a quarter's radiosity: less uneven light is sent as its mean.
+constexpr double uneven = 0.25;
+
+}  // namespace
+
+/// None if the patch sends the same light everywhere.
+std::vector<dvec3> Solver::light_of_quarters(std::size_t number, const dvec3& flux) const {
+    const Patch& patch = model_->patches[number];
+    const Pixmap& pixmap = model_->pixmaps[patch.pixmap];
+    std::vector<dvec3> light(4, dvec3(0));
+    dvec3 all(0);
+    for (int y = 0; y < patch.height; ++y)
+        for (int x = 0; x < patch.width; ++x) {
+            const std::size_t t = pixmap.texel(patch.x + x, patch.y + y);
+            const double u = (2 * x + 1.0) / patch.width - 1, v = (2 * y + 1.0) / patch.height - 1;
+            all += model_->area[t] * radiosity_at(*model_, solution_, t);
+            for (std::size_t q = 0; q < light.size(); ++q)
+                light[q] +=
+                    part_of(u, q & 1) * part_of(v, q & 2) * (model_->area[t] * solution_.unshot[t]);
+        }
+    const bool is_uneven = std::any_of(light.begin(), light.end(), [&](const dvec3& quarter) {
+        return magnitude(4.0 * quarter - flux) > uneven * magnitude(all);
+    });
+    if (!is_uneven || !form_factors_->has_quarters(number)) light.clear();
+    return light;
+}
+
+// Rows depend on the patch alone, so that a shot has the same bits whether they were kept or not.
+// The quarters' rows, which a later shot may need, are kept while half of the memory is free.
 Row Solver::row_of(std::size_t patch, int* drawn) {
-    if (const Row* kept = rows_.find(patch)) return *kept;
-    Row row = form_factors_->from_patch(patch);
+    if (const auto* kept = rows_.find(patch)) return form_factors_->combined(*kept);
+    std::vector<Row> quarters = form_factors_->from_quarters(patch);
+    Row row = form_factors_->combined(quarters);
     *drawn += row.hemicubes;
-    rows_.keep(patch, row, options_.row_memory);
+    rows_.keep(patch, std::move(quarters), options_.row_memory / 2);
+    if (!rows_.find(patch)) rows_.keep(patch, {row}, options_.row_memory);
     return row;
+}
+
+std::vector<Row> Solver::quarters_of(std::size_t patch, int* drawn) {
+    if (const auto* kept = rows_.find(patch); kept && kept->size() > 1) return *kept;
+    std::vector<Row> rows = form_factors_->from_quarters(patch);
+    for (const Row& row : rows) *drawn += row.hemicubes;
+    rows_.keep(patch, rows, options_.row_memory);
+    return rows;
 }
 
 void Solver::receive(const Row& row, const dvec3& flux) {

@@ -74,6 +74,8 @@ public:
 
 private:
     Row row_of(std::size_t patch, int* drawn);
+    std::vector<Row> quarters_of(std::size_t patch, int* drawn);
+    std::vector<dvec3> light_of_quarters(std::size_t patch, const dvec3& flux) const;
     void receive(const Row& row, const dvec3& flux);
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;

@@ -222,7 +222,7 @@ void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next,
         done.hemicubes += now.hemicubes;
         ++done.patches;
         rows_.drop(a.patch);
-        kept.keep(a.patch, std::move(now),
+        kept.keep(a.patch, {std::move(now)},
                   options_.row_memory - std::min(options_.row_memory, rows_.bytes()));
     }
 }

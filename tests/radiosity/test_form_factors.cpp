@@ -55,7 +55,7 @@ TEST(FormFactors, ShowTheHemicubesOfAPatch) {
         escaped += points[i].share * escaping(buffers, delta_form_factors(64));
     }
     EXPECT_GT(escaped, 0.1);
-    EXPECT_EQ(escaped, factors.from_patch(0).escaped);
+    EXPECT_DOUBLE_EQ(escaped, factors.from_patch(0).escaped);
 }
 
 TEST(FormFactors, ParallelSquares) {

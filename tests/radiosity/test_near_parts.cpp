@@ -59,9 +59,11 @@ TEST(NearParts, LeavePatchesOfACornerWhole) {
     for (const auto& [at, surfaces] : {Expected{{0.25, 0, 0.25}, 2}, {{0.25, 0, 1.25}, 1}}) {
         const Shooting shooting = shooting_at(model, "floor", at);
         EXPECT_EQ(shooting.points.size(), 4);
-        ASSERT_EQ(shooting.near_parts.size(), 1);
-        EXPECT_EQ(shooting.near_parts[0].texels.size(), surfaces);
-        EXPECT_DOUBLE_EQ(shooting.near_parts[0].share, 1);
+        ASSERT_EQ(shooting.near_parts.size(), 4);
+        for (const NearPart& part : shooting.near_parts) {
+            EXPECT_EQ(part.texels.size(), surfaces);
+            EXPECT_DOUBLE_EQ(part.share, 0.25);
+        }
     }
     const Shooting middle = shooting_at(model, "floor", {1.25, 0, 1.25});
     EXPECT_TRUE(middle.near_parts.empty());
@@ -71,7 +73,7 @@ TEST(NearParts, LeavePatchesOfACornerWhole) {
 /// Whether the patch beside the left wall, away from the back wall, is left whole.
 bool is_left_whole(const scene::Scene& scene) {
     const Shooting shooting = shooting_at(model_of(scene), "floor", {0.25, 0, 1.25});
-    return shooting.points.size() == 4 && shooting.near_parts.size() == 1;
+    return shooting.points.size() == 4 && shooting.near_parts.size() == 4;
 }
 
 bool is_left_whole_with(const vec3& at, const vec3& a, const vec3& b) {
@@ -151,7 +153,7 @@ TEST(NearParts, DoNotSeeThroughTheSurfacesBesideThem) {
     add_quad(scene, "wall", {0, 0, 0}, {0, 2, 0}, {0, 0, 2}, 0.5f, 1);
     const PixmapModel model = model_of(scene);
     const std::size_t patch = patch_at(model, "wall", {0, 0.25, 1.25});
-    ASSERT_EQ(shooting_of(model, model.patches[patch], no_emitters).near_parts.size(), 1);
+    ASSERT_EQ(shooting_of(model, model.patches[patch], no_emitters).near_parts.size(), 4);
     const Row row = FormFactors(model, {.hemicube = 64, .points = no_emitters}).from_patch(patch);
     const Pixmap& floor = model.pixmaps[figure_of(model, "floor").pixmap];
     const Facet& facet = model.facets[floor.facets.front()];

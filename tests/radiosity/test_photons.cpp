@@ -34,38 +34,34 @@ TEST(Photons, AFurnaceIsEquallyBrightEverywhere) {
     }
 }
 
-/// The short block's sides that no lamp lights, with a tenth and a fifth of the floor's light:
-/// docs/radiosity.md has how far they are off. The left wall's two facets share a pixmap.
-bool is_compared(const Facet& facet, const std::string& name) {
-    if (name == "short_block" && facet.normal.z < -0.2) return false;
-    return name != "left_wall" && name != "lamp";
-}
+/// The left wall's two facets share a pixmap.
+bool is_compared(const std::string& name) { return name != "left_wall" && name != "lamp"; }
 
 bool is_side(const Facet& facet, const std::string& name) {
     return (name == "short_block" || name == "tall_block") && facet.normal.y < 0.5;
 }
 
-// With the scene's texels and the default patches.
+// With the scene's texels and the default hemicubes and patches.
 TEST(Photons, CornellBoxIsWithinOnePercentAndTheBlocksSidesWithinTwo) {
     const scene::Scene scene =
         scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene;
-    Solver solver(make_model(scene), {.form_factors = {.hemicube = 64}});
+    Solver solver(make_model(scene));
     while (books(solver.model(), solver.solution()).unshot_share() > 0.001) solver.shoot();
     const auto reference = Photons(scene, solver.model()).trace(64, 40000);
     int compared = 0;
     for (std::size_t f = 0; f < reference.size(); ++f) {
         const Facet& facet = solver.model().facets[f];
         const std::string& name = solver.model().figures[facet.figure].name;
-        if (!is_compared(facet, name)) continue;
+        if (!is_compared(name)) continue;
         ++compared;
         const bool side = is_side(facet, name);
         const auto [mean, standard_error] = reference[f];
-        EXPECT_LT(standard_error, (side ? 0.008 : 0.003) * mean) << name;
+        EXPECT_LT(standard_error, (side ? 0.018 : 0.003) * mean) << name;
         EXPECT_NEAR(mean_irradiance(solver, facet), mean,
                     (side ? 0.02 : 0.01) * mean + 3 * standard_error)
             << name << " " << facet.normal.x << " " << facet.normal.z;
     }
-    EXPECT_EQ(compared, 12);
+    EXPECT_EQ(compared, 14);
 }
 
 }  // namespace
