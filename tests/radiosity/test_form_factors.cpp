@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -49,13 +50,15 @@ TEST(FormFactors, ShowTheHemicubesOfAPatch) {
     ASSERT_GT(points.size(), 1);
     HemicubePainter painter(64);
     IdBuffers buffers;
-    double escaped = 0;
+    std::array<double, 4> of_quarters{};
     for (std::size_t i = 0; i < points.size(); ++i) {
         painter.draw(model, factors.hemicube_on(points, i, 0), buffers);
-        escaped += points[i].share * escaping(buffers, delta_form_factors(64));
+        of_quarters[std::size_t(points[i].quarter)] +=
+            points[i].share * escaping(buffers, delta_form_factors(64));
     }
+    const double escaped = std::accumulate(of_quarters.begin(), of_quarters.end(), 0.0);
     EXPECT_GT(escaped, 0.1);
-    EXPECT_DOUBLE_EQ(escaped, factors.from_patch(0).escaped);
+    EXPECT_EQ(escaped, factors.from_patch(0).escaped);
 }
 
 TEST(FormFactors, ParallelSquares) {
