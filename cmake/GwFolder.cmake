@@ -6,14 +6,15 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE MATCHES "^(Debug)?$"
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
-# Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
+# Warnings are chosen so that correct code needs no casts beyond those that change a number's kind. In a batch, a local name would shadow a
+# function of another source.
 set(gw_misfires -Wno-restrict)  # false alarms of g++ 12 in std::string
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
     list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)  # the same, if its header is precompiled
 endif()
 add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
-    -Wall -Wextra -Wshadow -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
+    -Wall -Wextra $<$<NOT:$<BOOL:${GW_BATCHES}>>:-Wshadow> -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
     "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
@@ -42,14 +43,14 @@ function(gw_position_independent target)
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# gw_batch(TARGET): compiles its sources eight at a time (CMake's unity build), so that eight share the work of headers and templates. A
+# gw_batch(TARGET): compiles its sources sixteen at a time (CMake's unity build), so that sixteen share the work of headers and templates. A
 # source that defines macros is compiled alone: Highway's kernels, and sources that configure a library. Within a batch, names in
 # anonymous namespaces must differ.
 function(gw_batch target)
     if(NOT GW_BATCHES)
         return()
     endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
     target_compile_options(${target} PRIVATE ${gw_batch_options})
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
@@ -72,7 +73,7 @@ function(gw_defines_macros path result)
     endif()
 endfunction()
 
-# gw_batch_tests(TARGET VARIABLE): replaces the files test_*.cpp in the list VARIABLE by sources that hold eight of them each, made by
+# gw_batch_tests(TARGET VARIABLE): replaces the files test_*.cpp in the list VARIABLE by sources that hold sixteen of them each, made by
 # batch_tests.cmake. Names of two files do not meet there.
 function(gw_batch_tests target variable)
     if(NOT GW_BATCHES)
@@ -90,7 +91,7 @@ function(gw_batch_tests target variable)
             list(APPEND batch ${source})
         endif()
         list(LENGTH batch length)
-        if(length EQUAL 8 OR (source STREQUAL end AND length GREATER 0))
+        if(length EQUAL 16 OR (source STREQUAL end AND length GREATER 0))
             math(EXPR count "${count} + 1")
             set(output ${CMAKE_CURRENT_BINARY_DIR}/batches/${target}_${count}.cpp)
             list(JOIN batch "," joined)

@@ -11,12 +11,12 @@ namespace gw::gl {
 
 namespace {
 
-bool is_finite(const vec4& v) {
+bool all_finite(const vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
 vec4 finite(const vec4& v) {
-    if (is_finite(v)) return v;
+    if (all_finite(v)) return v;
     return {float(gl::finite(v.x)), float(gl::finite(v.y)), float(gl::finite(v.z)),
             float(gl::finite(v.w))};
 }
@@ -42,7 +42,7 @@ AssembledVertex current_vertex(const Context& c) {
 
 void add_vertex(Context& c, const AssembledVertex& v) {
     Assembler& a = c.assembler;
-    if (!a.inside || !is_finite(v.position)) return;
+    if (!a.inside || !all_finite(v.position)) return;
     if (a.mesh.empty() || a.material_changed) {
         a.materials.push_back(face_materials(c));
         a.material_changed = false;

@@ -26,7 +26,7 @@ State lines(const scene::View& view) {
 }
 
 /// The least and greatest distance of a vertex before the eye.
-std::pair<float, float> reach(const scene::Scene& scene, const scene::View& view) {
+std::pair<float, float> depth_extent(const scene::Scene& scene, const scene::View& view) {
     double nearest = view.camera.far_plane, farthest = view.camera.near_plane;
     for (const scene::Object& object : scene.objects) {
         const dmat4 eye_from_object = scene::placed(object, view).eye_from_object;
@@ -51,7 +51,7 @@ CommandList wireframe(const scene::Scene& scene, const scene::View& view) {
 
 CommandList depth_cueing(const scene::Scene& scene, const scene::View& view) {
     State state = lines(view);
-    const auto [nearest, farthest] = reach(scene, view);
+    const auto [nearest, farthest] = depth_extent(scene, view);
     // The farthest lines stay visible.
     state.fog = {.enable = true,
                  .mode = FogMode::Linear,

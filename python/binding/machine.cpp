@@ -14,8 +14,8 @@ namespace gw::python {
 
 namespace {
 
-std::unique_ptr<Machine> made(const Profile& profile, int width, int height, bool reference,
-                              int threads) {
+std::unique_ptr<Machine> new_machine(const Profile& profile, int width, int height, bool reference,
+                                     int threads) {
     check_threads(threads);
     return reference ? make_reference(profile, width, height)
                      : make_fast(profile, width, height, {.threads = threads});
@@ -25,7 +25,7 @@ std::unique_ptr<Machine> made(const Profile& profile, int width, int height, boo
 
 MachineHolder::MachineHolder(const Profile& profile, int width, int height, bool reference,
                              int threads, bool record)
-    : machine_(made(profile, width, height, reference, threads), reference, width, height),
+    : machine_(new_machine(profile, width, height, reference, threads), reference, width, height),
       width_(width),
       height_(height),
       reference_(reference),

@@ -144,8 +144,8 @@ std::shared_ptr<MachineHolder> replayed(const Recording& recording, bool referen
     return machine;
 }
 
-Recording made(const std::vector<ListHolder>& lists, const Profile& profile, int width,
-               int height) {
+Recording recording_of(const std::vector<ListHolder>& lists, const Profile& profile, int width,
+                       int height) {
     Recording recording;
     recording.producer = "python3-gw";
     recording.renderer = "python";
@@ -171,7 +171,7 @@ py::list suite_members(const std::string& name) {
 
 void add_recording(py::module_& m) {
     py::class_<Recording>(m, "Recording", "Everything that entered one machine.")
-        .def(py::init(&made), py::arg("lists"), py::arg("profile"), py::arg("width"),
+        .def(py::init(&recording_of), py::arg("lists"), py::arg("profile"), py::arg("width"),
              py::arg("height"), "Of lists for a machine. Throws Error if they are not valid.")
         .def_static(
             "open",

@@ -15,7 +15,7 @@ namespace py = pybind11;
 /// As of scene files.
 constexpr double most_triangles = 1 << 25;
 
-std::shared_ptr<Mesh> made(const scene::Shape& shape, const std::vector<double>& values) {
+std::shared_ptr<Mesh> tessellated(const scene::Shape& shape, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const scene::ShapeParameter& parameter = shape.parameters[i];
         const std::string name = shape.name + ", " + parameter.name;
@@ -51,11 +51,11 @@ std::shared_ptr<Mesh> by_name(const std::string& name, const py::kwargs& given) 
             throw py::type_error(name + " has no '" + word + "'; expected " + known);
         values[std::size_t(found - shape.parameters.begin())] = value.cast<double>();
     }
-    return made(shape, values);
+    return tessellated(shape, values);
 }
 
 std::shared_ptr<Mesh> box(const char* name, const dvec3& size, int segments) {
-    return made(shape_named(name), {size.x, size.y, size.z, double(segments)});
+    return tessellated(shape_named(name), {size.x, size.y, size.z, double(segments)});
 }
 
 }  // namespace
@@ -74,33 +74,36 @@ void add_shapes(py::module_& m) {
     m.def(
         "make_rectangle",
         [](double width, double depth, int columns, int rows) {
-            return made(shape_named("rectangle"), {width, depth, double(columns), double(rows)});
+            return tessellated(shape_named("rectangle"),
+                               {width, depth, double(columns), double(rows)});
         },
         py::arg("width") = 1.0, py::arg("depth") = 1.0, py::arg("columns") = 1, py::arg("rows") = 1,
         "A rectangle in the plane y = 0, facing up.");
     m.def(
         "make_sphere",
         [](double radius, int slices, int stacks) {
-            return made(shape_named("sphere"), {radius, double(slices), double(stacks)});
+            return tessellated(shape_named("sphere"), {radius, double(slices), double(stacks)});
         },
         py::arg("radius") = 1.0, py::arg("slices") = 32, py::arg("stacks") = 16,
         "A sphere about the origin.");
     m.def(
         "make_icosphere",
         [](double radius, int divisions) {
-            return made(shape_named("icosphere"), {radius, double(divisions)});
+            return tessellated(shape_named("icosphere"), {radius, double(divisions)});
         },
         py::arg("radius") = 1.0, py::arg("divisions") = 2,
         "A sphere of 20 4^divisions nearly equal triangles.");
     m.def(
         "make_torus",
         [](double radius, double tube, int segments, int sides) {
-            return made(shape_named("torus"), {radius, tube, double(segments), double(sides)});
+            return tessellated(shape_named("torus"),
+                               {radius, tube, double(segments), double(sides)});
         },
         py::arg("radius") = 1.0, py::arg("tube") = 0.3, py::arg("segments") = 32,
         py::arg("sides") = 16, "A ring about the y axis.");
     m.def(
-        "make_teapot", [](int segments) { return made(shape_named("teapot"), {double(segments)}); },
+        "make_teapot",
+        [](int segments) { return tessellated(shape_named("teapot"), {double(segments)}); },
         py::arg("segments") = 8, "The Utah teapot.");
 }
 

@@ -9,12 +9,12 @@ namespace {
 using Corners = std::span<const std::uint32_t>;
 
 /// Weights of a quad's four corners, in units of 1 / (pieces * pieces).
-using Weights = std::array<double, 4>;
+using CornerWeights = std::array<double, 4>;
 
 // On a side only two terms are not 0, so its other face, which may take the corners in another
 // order, adds the same.
 template <class Vector>
-void add_point(std::vector<Vector>& values, Corners quad, const Weights& w, double whole) {
+void add_point(std::vector<Vector>& values, Corners quad, const CornerWeights& w, double whole) {
     if (values.empty()) return;
     glm::vec<Vector::length(), double> v[4];
     for (std::size_t k = 0; k < 4; ++k)
@@ -49,7 +49,7 @@ public:
 private:
     void add_vertex(Corners quad, int i, int j) {
         const double u = i, v = j, n = pieces_;
-        const Weights w{(n - u) * (n - v), u * (n - v), u * v, (n - u) * v};
+        const CornerWeights w{(n - u) * (n - v), u * (n - v), u * v, (n - u) * v};
         add_point(mesh_.positions, quad, w, n * n);
         add_point(mesh_.normals, quad, w, n * n);
         add_point(mesh_.texcoords, quad, w, n * n);

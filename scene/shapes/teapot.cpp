@@ -8,11 +8,11 @@
 namespace gw::scene {
 namespace {
 
-using Weights = std::array<double, 4>;
+using BernsteinWeights = std::array<double, 4>;
 
 // Bernstein polynomials at k / n, the same bits at k and n - k in mirrored order: patches that meet
 // agree.
-Weights weights(int k, int n) {
+BernsteinWeights weights(int k, int n) {
     const double t = static_cast<double>(k) / n, u = static_cast<double>(n - k) / n;
     return {u * u * u, 3 * (t * u * u), 3 * (t * t * u), t * t * t};
 }
@@ -24,7 +24,7 @@ dvec3 differences(const std::array<dvec3, 4>& p, int k, int n) {
     return u * u * (p[1] - p[0]) + 2 * u * t * (p[2] - p[1]) + t * t * (p[3] - p[2]);
 }
 
-dvec3 sum(const std::array<dvec3, 4>& p, const Weights& w) {
+dvec3 sum(const std::array<dvec3, 4>& p, const BernsteinWeights& w) {
     return (w[0] * p[0] + w[3] * p[3]) + (w[1] * p[1] + w[2] * p[2]);
 }
 
