@@ -2,6 +2,7 @@
 // stored, replayed and compared. Does not execute anything and has no pixels of a machine.
 #pragma once
 
+#include "gw/base/shared_value.h"
 #include "gw/material.h"
 #include "gw/mesh.h"
 #include "gw/planes.h"
@@ -35,7 +36,7 @@ struct Clear {
 
 /// Replaces the whole state for the following commands; it persists over lists.
 struct SetState {
-    State state;
+    SharedValue<State> state;
     bool operator==(const SetState&) const = default;
 };
 

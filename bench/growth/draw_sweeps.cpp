@@ -64,7 +64,7 @@ void add_pass(CommandList& list, const CommandList& field,
               const std::function<void(State&)>& change, const LightsRef& lights = nullptr) {
     for (Command command : field.commands) {
         if (std::holds_alternative<Clear>(command)) continue;
-        if (SetState* set = std::get_if<SetState>(&command)) change(set->state);
+        if (SetState* set = std::get_if<SetState>(&command)) change(set->state.edit());
         if (Draw* draw = std::get_if<Draw>(&command); draw && lights) draw->lights = lights;
         list.add(std::move(command));
     }

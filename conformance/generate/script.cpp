@@ -22,7 +22,7 @@ int any_side(Random& r) {
 
 const State* last_state(const CommandList& list) {
     for (auto command = list.commands.rbegin(); command != list.commands.rend(); ++command)
-        if (const auto* set = std::get_if<SetState>(&*command)) return &set->state;
+        if (const auto* set = std::get_if<SetState>(&*command)) return &*set->state;
     return nullptr;
 }
 

@@ -48,7 +48,7 @@ void Drawable::resize(int width, int height) {
     frame_calls_.clear();
     frame_vertices_ = 0;
     frame_bytes_ = 0;
-    last_state_ = nullptr;
+    last_state_ = std::nullopt;
     frame_begins_ = true;
     if (log) log->open(*this);
 }
@@ -94,16 +94,17 @@ void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls)
                                            : !is_double_buffered();
     front_changed_ |= to_front;
     front_drawn_ |= to_front;
-    if (last_state_ && *last_state_ == state) return;
-    add(SetState{state}, calls);
-    last_state_ = std::make_unique<gw::State>(state);
+    if (last_state_ && **last_state_ == state) return;
+    const SharedValue<gw::State> shared = state;
+    add(SetState{shared}, calls);
+    last_state_ = shared;
 }
 
 void Drawable::flush(Cause cause) {
     const auto lock = exclusive();
     if (frame_.commands.empty()) return;
-    const CommandList list = std::exchange(frame_, {});
-    const std::vector<CallRun> calls = std::exchange(frame_calls_, {});
+    CommandList list = std::exchange(frame_, {});
+    std::vector<CallRun> calls = std::exchange(frame_calls_, {});
     frame_vertices_ = 0;
     frame_bytes_ = 0;
     machine_->execute(list);

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,7 +43,7 @@ public:
     std::uint64_t frame() const { return frames_; }
     const Planes& planes() { return machine_->planes(); }
     /// Of the commands so far; null: none has set a state.
-    const gw::State* state() const { return last_state_.get(); }
+    const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
 
     /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
     /// needs several calls in a row, as a state and its draw, holds this lock meanwhile.
@@ -108,7 +109,7 @@ private:
     bool frame_begins_ = true;
     bool front_changed_ = false;
     bool front_drawn_ = false;  ///< in this frame
-    std::unique_ptr<gw::State> last_state_;
+    std::optional<SharedValue<gw::State>> last_state_;
 };
 
 }  // namespace gw::gl

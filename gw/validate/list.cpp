@@ -52,7 +52,7 @@ void check_in_context(const Checker& c, const Read& read, const ListContext& con
 void follow(const auto&, ListContext&) {}
 /// Only the texture's state decides whether a later command is valid.
 void follow(const SetState& set, ListContext& context) {
-    context.state.texture = set.state.texture;
+    context.state.texture = set.state->texture;
 }
 void follow(const CopyTexture& copy, ListContext& context) {
     context.slots[copy.slot] = copy.plane;

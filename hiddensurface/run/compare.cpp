@@ -15,7 +15,7 @@ namespace {
 CommandList counting(CommandList list) {
     for (Command& command : list.commands) {
         if (auto* set = std::get_if<SetState>(&command))
-            set->state.stencil = {.test = true, .zpass = StencilOp::Incr};
+            set->state.edit().stencil = {.test = true, .zpass = StencilOp::Incr};
         if (auto* clear = std::get_if<Clear>(&command))
             clear->planes = PlaneMask(clear->planes | mask_of(Plane::Stencil));
     }

@@ -26,7 +26,7 @@ void Painted::begin_command(std::size_t place) {
         main_ = Plane::Color;
     }
     if (const auto* set = std::get_if<SetState>(&command()))
-        main_ = set->state.draw_buffer == DrawBuffer::Back ? Plane::Back : Plane::Color;
+        main_ = set->state->draw_buffer == DrawBuffer::Back ? Plane::Back : Plane::Color;
 }
 
 void Painted::paint(int x, int y, Paint paint, const PixelValues& before,

@@ -26,7 +26,7 @@ public:
         keep(slot.bytes, 16 * slot.area);
     }
     void add(const Read& r) { keep(readbacks_[r.key], 64 + 16 * area(r.rect)); }
-    void add(const SetState& s) { texture_ = s.state.texture; }
+    void add(const SetState& s) { texture_ = s.state->texture; }
     /// A bilinear filter has pairs of texels made of the slot, for each way to wrap.
     void add(const Draw& d) {
         if (!d.map.slot || !(is_linear(texture_, false) || is_linear(texture_, true))) return;

@@ -188,8 +188,9 @@ vec2 st_of(const Pixmap& pixmap, const dvec2& uv) {
 CommandList figures_of(CommandList list) {
     for (Command& command : list.commands) {
         if (auto* set = std::get_if<SetState>(&command)) {
-            set->state.color_source = ColorSource::PolygonId;
-            set->state.shade_model = ShadeModel::Flat;
+            State& state = set->state.edit();
+            state.color_source = ColorSource::PolygonId;
+            state.shade_model = ShadeModel::Flat;
         }
         if (auto* clear = std::get_if<Clear>(&command)) clear->color = vec4(0);
         if (auto* draw = std::get_if<Draw>(&command)) draw->map = {};

@@ -42,7 +42,7 @@ TEST(RestoredPlanes, AreThoseOfTheMachineOnEveryProfile) {
             EXPECT_EQ(machine->passes().front().name, "before frame 3");
         }
         EXPECT_EQ(
-            std::get<SetState>(restoring_list(planes, profile, "", state).commands.back()).state,
+            *std::get<SetState>(restoring_list(planes, profile, "", state).commands.back()).state,
             state);
     }
 }

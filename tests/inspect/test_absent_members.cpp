@@ -77,7 +77,7 @@ TEST(AbsentMembers, HaveTheValuesOfTheManual) {
     ASSERT_EQ(c.size(), 9u);
     EXPECT_EQ(std::get<BeginPass>(c[0]), BeginPass{});
     EXPECT_EQ(std::get<Clear>(c[1]), Clear{});
-    EXPECT_EQ(std::get<SetState>(c[2]).state, State{});
+    EXPECT_EQ(*std::get<SetState>(c[2]).state, State{});
     const Draw& draw = std::get<Draw>(c[3]);
     EXPECT_EQ(draw.eye_from_object, dmat4(1));
     EXPECT_EQ(draw.material, Material{});

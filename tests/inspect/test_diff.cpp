@@ -90,7 +90,7 @@ TEST(Diff, NamesTheMemberOfADrawnRectangle) {
 
 TEST(Diff, NamesTheStatesField) {
     Recording a = recording_of(SetState{}),
-              b = recording_of(SetState{.state = {.blend = {.dst = BlendFactor::One}}});
+              b = recording_of(SetState{State{.blend = {.dst = BlendFactor::One}}});
     EXPECT_EQ(first(a, b), "command 0 (SetState), blend.dst: expected 'Zero', got 'One'\n");
     b = a;
     b.profile = ideal();

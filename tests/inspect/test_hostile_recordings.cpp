@@ -111,7 +111,7 @@ TEST(HostileRecording, NumbersThatAreNoneAreRefused) {
     EXPECT_EQ(refusal(recording_of(draw)),
               "list 0: command 0 (Draw): material = nan; expected a finite number");
     SetState set;
-    set.state.projection[2][1] = std::numeric_limits<double>::infinity();
+    set.state.edit().projection[2][1] = std::numeric_limits<double>::infinity();
     EXPECT_NE(refusal(recording_of(set)).find("projection = inf"), std::string::npos);
 }
 

@@ -48,7 +48,7 @@ TEST(Recording, NeedsVersion2OnlyForWhatVersion1Lacks) {
     EXPECT_EQ(version_of(recording_of(Clear{.accum = vec4(1)})), 2u);
     SetState unseen;
     EXPECT_EQ(version_of(recording_of(unseen)), 1u);
-    unseen.state.draw_buffer = DrawBuffer::None;
+    unseen.state.edit().draw_buffer = DrawBuffer::None;
     EXPECT_EQ(version_of(recording_of(unseen)), 2u);
     Recording two = recording_of(Clear{});
     two.profile.color_planes = 2;

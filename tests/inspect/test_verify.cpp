@@ -111,7 +111,7 @@ TEST(Verify, AnotherRecordingIsNamedByPixelWithTheHelpOfStoredValues) {
     const Manifest manifest = replayed_manifest(expected, fast, &values);
     Recording other = three_passes();
     other.lists[0].commands.insert(other.lists[0].commands.begin() + 3,
-                                   SetState{.state = {.depth = {.mask = false}}});
+                                   SetState{State{.depth = {.mask = false}}});
     too_green(other.lists[0].commands[4]);
     const Verification v = verify(other, manifest, values.finish(), fast, reference);
     ASSERT_TRUE(v.finding);

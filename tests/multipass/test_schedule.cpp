@@ -95,9 +95,9 @@ TEST(FrameList, AfterTheDepthPassNothingUpdatesZAndNoStencilOperationRuns) {
         if (const auto* begin = std::get_if<BeginPass>(&c)) after_depth = begin->name != "depth";
         const auto* set = std::get_if<SetState>(&c);
         if (!set || !after_depth) continue;
-        EXPECT_EQ(set->state.depth, seen);
-        EXPECT_EQ(set->state.blend, add);
-        EXPECT_EQ(set->state.stencil, StencilState{});
+        EXPECT_EQ(set->state->depth, seen);
+        EXPECT_EQ(set->state->blend, add);
+        EXPECT_EQ(set->state->stencil, StencilState{});
     }
     EXPECT_TRUE(after_depth);
 }
@@ -115,10 +115,10 @@ TEST(FrameList, AllPassesOfAViewShareItsGeometry) {
         const auto* set = std::get_if<SetState>(&c);
         if (!set) continue;
         if (!first) first = set->state;
-        EXPECT_EQ(set->state.projection, first->projection);
-        EXPECT_EQ(set->state.viewport, first->viewport);
-        EXPECT_EQ(set->state.cull, first->cull);
-        EXPECT_EQ(set->state.jitter, first->jitter);
+        EXPECT_EQ(set->state->projection, first->projection);
+        EXPECT_EQ(set->state->viewport, first->viewport);
+        EXPECT_EQ(set->state->cull, first->cull);
+        EXPECT_EQ(set->state->jitter, first->jitter);
     }
     EXPECT_TRUE(first.has_value());
 }

@@ -22,7 +22,7 @@ public:
     void execute(const CommandList& list) override {
         CommandList culling = list;
         for (Command& command : culling.commands)
-            if (auto* set = std::get_if<SetState>(&command)) set->state.cull.enable = true;
+            if (auto* set = std::get_if<SetState>(&command)) set->state.edit().cull.enable = true;
         ForwardingMachine::execute(culling);
     }
 };

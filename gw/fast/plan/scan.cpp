@@ -244,7 +244,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
             read && !read_keys_.insert(read->key).second)
             break;
         if (const SetState* set = std::get_if<SetState>(&command)) {
-            current = &set->state;
+            current = &*set->state;
         } else if (const BeginPass* begin = std::get_if<BeginPass>(&command)) {
             passes.push_back({begin->name, {}, begin->digests, {}});
         } else {

@@ -71,7 +71,7 @@ void spoil_command(Random& r, Clear& c) {
     spoil_one(r, c.planes, c.color, c.depth, c.stencil, c.accum);
 }
 void spoil_command(Random& r, SetState& c) {
-    State& s = c.state;
+    State& s = c.state.edit();
     spoil_one(r, s.projection, s.viewport.x, s.viewport.width, s.depth_range.far_value,
               s.clip_planes[1].plane[2], s.cull.face, s.cull.front, s.polygon_mode,
               s.polygon_offset.factor, s.jitter.x, s.point_size, s.line_width, s.shade_model,

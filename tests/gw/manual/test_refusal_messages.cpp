@@ -62,7 +62,7 @@ constexpr float nan = NAN, infinity = INFINITY;
 
 std::string refused_state(const std::function<void(State&)>& change) {
     SetState set;
-    change(set.state);
+    change(set.state.edit());
     return refusal({set});
 }
 
@@ -174,7 +174,7 @@ std::vector<std::string> refused_draws() {
     light([](Light& l) { l.quadratic_attenuation = -1; });
 
     SetState compare;
-    compare.state.texture.shadow_compare = true;
+    compare.state.edit().texture.shadow_compare = true;
     const std::vector<std::uint16_t> texel(4);
     const Draw mapped{.mesh = a_mesh(), .map = {make_texture("t", 1, 1, texel), {}}};
     out.push_back(refusal({compare, mapped}, ideal()));

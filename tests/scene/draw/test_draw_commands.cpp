@@ -106,7 +106,7 @@ TEST(IdPass, DrawsEveryObjectWithItsIdentifiers) {
     const Scene scene = three_objects();
     const CommandList list = id_pass(scene, make_view(scene, 8, 8));
     ASSERT_EQ(all<SetState>(list).size(), 1u);
-    EXPECT_EQ(all<SetState>(list)[0]->state.color_source, ColorSource::PolygonId);
+    EXPECT_EQ(all<SetState>(list)[0]->state->color_source, ColorSource::PolygonId);
     const auto draws = all<Draw>(list);
     ASSERT_EQ(draws.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(draws[i]->id_base, polygon_ids(scene).first[i]);
