@@ -114,6 +114,10 @@ void Drawable::flush(Cause cause) {
         log->executed(*this, {list, calls, cause, sum});
     }
     machine_->reset_passes();
+    list.commands.clear();
+    calls.clear();
+    frame_ = std::move(list);
+    frame_calls_ = std::move(calls);
 }
 
 // Not locked as a whole: windows lock their display before the drawable.
@@ -134,8 +138,8 @@ void Drawable::swap() {
 }
 
 void Drawable::select(gw::ReadBuffer buffer) {
-    if ((last_state_ ? last_state_->read_buffer : gw::ReadBuffer::Front) == buffer) return;
-    gw::State state = last_state_ ? *last_state_ : gw::State();
+    if ((last_state_ ? (*last_state_)->read_buffer : gw::ReadBuffer::Front) == buffer) return;
+    gw::State state = last_state_ ? **last_state_ : gw::State();
     state.read_buffer = buffer;
     set_state(state);
 }
