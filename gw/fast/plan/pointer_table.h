@@ -61,7 +61,7 @@ public:
         return nullptr;
     }
     /// Prefetches the place where find() begins.
-    void prefetch_slot(std::uint64_t hash) const {
+    [[gnu::always_inline]] void prefetch_slot(std::uint64_t hash) const {
         if (!slots_.empty()) prefetch(&slots_[hash & mask()], sizeof(Slot));
     }
     void add(std::uint64_t hash, T* element) {

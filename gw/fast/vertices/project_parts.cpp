@@ -21,13 +21,14 @@ std::size_t end_together(std::span<const GeometryPart> parts, std::size_t first)
     return std::max(i, first + 1);
 }
 
-}  // namespace
-
-void PartProjector::prefetch_part(std::size_t i) const {
-    if (i >= set.parts.size()) return;
-    prefetch_elements(set.parts[i].mesh->data().positions);
-    prefetch_elements(set.parts[i].mesh->triangles());
+[[gnu::always_inline]] inline void prefetch_part(std::span<const GeometryPart> parts,
+                                                 std::size_t i) {
+    if (i >= parts.size()) return;
+    prefetch_elements(parts[i].mesh->data().positions);
+    prefetch_elements(parts[i].mesh->triangles());
 }
+
+}  // namespace
 
 void PartProjector::use_transform() {
     const dmat4& eye_from_object = set.parts[part].eye_from_object;
@@ -50,7 +51,7 @@ void PartProjector::add() {
 }
 
 void PartProjector::project_part() {
-    prefetch_part(part + 3);
+    prefetch_part(set.parts, part + 3);
     const MeshData& mesh = set.parts[part].mesh->data();
     const std::size_t base = set.at.size();
     set.at.resize(base + mesh.positions.size());
@@ -65,7 +66,7 @@ void PartProjector::project_together() {
     std::vector<vec3>& all = scratch.positions;
     all.clear();
     for (std::size_t i = part; i < end; ++i) {
-        prefetch_part(i + 4);
+        prefetch_part(set.parts, i + 4);
         const std::vector<vec3>& positions = set.parts[i].mesh->data().positions;
         all.insert(all.end(), positions.begin(), positions.end());
     }

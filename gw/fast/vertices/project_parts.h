@@ -28,7 +28,6 @@ private:
     void project_part();
     void project_together();
     void take_vertices(std::size_t count);
-    void prefetch_part(std::size_t i) const;
 };
 
 }  // namespace gw::fast
