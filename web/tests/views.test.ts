@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../model/address';
 import { Camera, depthAt, planeThrough } from '../model/camera';
-import { spread, type Label } from '../model/steps/labels';
+import { nameAt, spread, type Label } from '../model/steps/labels';
 import { pathsOf } from '../model/steps/lines';
-import { parseLog, type Step } from '../model/steps/log';
+import { parseLog, type Loop, type Step } from '../model/steps/log';
 import { defaultSettings } from '../model/settings';
 import { inkOn } from '../model/palette';
 import { crossings, depthOfPixel, segmentsOfRow } from '../model/steps/scan_line';
@@ -111,6 +111,21 @@ describe('a tree', () => {
     expect(shown.depth).toBe(399);
     expect(nearest(placed(tree), () => false, tree)!.depth).toBe(0);
   });
+});
+
+it('names a small outline from outside, a large one from inside', () => {
+  const square = (x: number, y: number, side: number): Loop[] => [
+    [
+      [x, y, 0],
+      [x + side, y, 0],
+      [x + side, y + side, 0],
+      [x, y + side, 0],
+    ],
+  ];
+  expect(nameAt(square(100, 100, 40), '12', 10)).toEqual([120, 120]);
+  expect(nameAt(square(100, 100, 10), '12', 10)).toEqual([105, 91]);
+  expect(nameAt(square(100, 0, 10), '12', 10)).toEqual([105, 19]);
+  expect(nameAt([], '12', 10)).toBeUndefined();
 });
 
 it('places names apart', () => {

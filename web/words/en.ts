@@ -53,7 +53,7 @@ export const en = {
   far_to_near: 'far to near',
   key: 'key',
   marked: 'marked',
-  no_order: 'Nothing is sorted yet.',
+  no_order: 'Nothing is sorted yet: the order of the scene.',
   no_edges: 'No scan line is begun yet.',
   node: 'node',
   nodes_left_out: 'Deeper nodes are left out.',

@@ -55,7 +55,7 @@ export const ja: Words = {
   far_to_near: '遠い順',
   key: 'キー',
   marked: '印付き',
-  no_order: 'まだ並べ替えていません。',
+  no_order: 'まだ並べ替えていません。シーンの順です。',
   no_edges: 'まだ走査線を始めていません。',
   node: '節',
   nodes_left_out: 'これより深い節は省きました。',

@@ -17,6 +17,28 @@ export function middleOf(outline: readonly Loop[]): [number, number] | undefined
   return [mean(0), mean(1)];
 }
 
+/** Where the outline's name stands: in its middle if it has room there, else above it, or below at the picture's top. */
+export function nameAt(
+  outline: readonly Loop[],
+  text: string,
+  letter: number,
+): [number, number] | undefined {
+  const middle = middleOf(outline);
+  const corners = outline.flat();
+  const ends = (axis: 0 | 1): [number, number] => {
+    const all = corners.map((p) => p[axis]);
+    return [Math.min(...all), Math.max(...all)];
+  };
+  if (!middle) return undefined;
+  const [left, right] = ends(0);
+  const [top, bottom] = ends(1);
+  if (right - left > widthOf(text, letter) && bottom - top > 1.5 * letter) return middle;
+  const above = top - 0.9 * letter;
+  return [middle[0], above > 0.6 * letter ? above : bottom + 0.9 * letter];
+}
+
+const widthOf = (text: string, letter: number): number => 0.62 * text.length * letter;
+
 function areaOf(loop: Loop): number {
   const twice = loop.reduce((sum, a, i) => {
     const b = loop[(i + 1) % loop.length]!;
@@ -29,7 +51,7 @@ function areaOf(loop: Loop): number {
 export function spread(labels: readonly Label[], letter: number): Label[] {
   const placed: Label[] = [];
   const meet = (a: Label, b: Label) =>
-    Math.abs(a.x - b.x) < ((a.text.length + b.text.length) / 2) * 0.62 * letter + 0.3 * letter &&
+    Math.abs(a.x - b.x) < widthOf(a.text + b.text, letter) / 2 + 0.3 * letter &&
     Math.abs(a.y - b.y) < 1.05 * letter;
   const moves = [0, 1.1, -1.1, 2.2, -2.2].flatMap((dy) => [0, 1.5, -1.5].map((dx) => [dx, dy]));
   for (const label of [...labels].sort((a, b) => Number(b.important) - Number(a.important))) {

@@ -115,7 +115,8 @@ export class Replay {
   private apply(step: Step): void {
     for (const [y, x0, x1, id] of step.painted ?? [])
       this.ids.fill(id, y * this.width + x0, y * this.width + x1);
-    for (const [name, count] of Object.entries(step.counts ?? {})) this.counts.set(name, count);
+    const changed = step.counts;
+    for (const name in changed) this.counts.set(name, changed[name]!);
   }
 }
 

@@ -94,7 +94,7 @@ describePages('the player', (pages) => {
     for (const tab of await pages.page.$$('[role=tab]')) {
       await tab.click();
       const marks = await pages.page.$$eval('figure:nth-of-type(2)', (all) =>
-        all.map((f) => f.querySelectorAll('svg path, svg line, svg rect, li, tr').length),
+        all.map((f) => f.querySelectorAll('svg path, svg line, svg rect, .piece, tr').length),
       );
       expect(marks[0]).toBeGreaterThan(1);
     }
