@@ -5,15 +5,12 @@
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "gw/shown.h"
-#include "hiddensurface/run/algorithm.h"
 #include "image/output/output_folder.h"
 #include "inspect/report/report.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
-
-#include <algorithm>
 
 namespace gw::apps {
 namespace {
@@ -79,12 +76,6 @@ void add_options(CLI::App& command, InspectOptions& options) {
                     "Another price list for the estimated time (default: a VGX's)")
         ->type_name("FILE.toml");
     command.add_flag("--quiet", options.quiet, "No progress");
-}
-
-/// Hidden-surface algorithms write each polygon's identifier for its colour.
-bool writes_identifiers(const inspect::Recording& recording) {
-    const auto names = hiddensurface::algorithm_names();
-    return std::ranges::find(names, recording.renderer) != names.end();
 }
 
 /// Throws UsageError for options that no recording could satisfy.

@@ -6,6 +6,7 @@
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "inspect/replay/pixel_history.h"
+#include "scene/draw/draw_commands.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -49,7 +50,10 @@ int show_pixel(const PixelOptions& options, Session& session) {
                         recording.width - 1, recording.height - 1));
     progress.at("replaying on the reference machine");
     const int y = recording.height - 1 - options.y;
-    const auto events = inspect::pixel_history(recording, options.x, y);
+    auto events = inspect::pixel_history(recording, options.x, y);
+    if (writes_identifiers(recording))
+        for (inspect::PixelEvent& event : events)
+            if (event.fragment) event.polygon = scene::id_of(event.fragment->color);
     print(options.json
               ? history_json(recording, options.x, y, events)
                         .dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) +

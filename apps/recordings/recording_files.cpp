@@ -6,20 +6,55 @@
 #include "gw/error.h"
 #include "hiddensurface/run/algorithm.h"
 #include "inspect/replay/forwarding_machine.h"
+#include "inspect/report/report.h"
+#include "scene/draw/draw_commands.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <ostream>
 
 namespace gw::apps {
 namespace {
+
+/// "row 5: polygons 3, 1"; the row is counted from the top.
+std::string name_of(const WriteSpans& drawn, int height) {
+    std::vector<std::uint32_t> ids;  // each once, in the order drawn
+    for (const Rgba& color : drawn.colors)
+        if (std::ranges::find(ids, scene::id_of(color)) == ids.end())
+            ids.push_back(scene::id_of(color));
+    const int y = drawn.spans[0].y;
+    const bool is_row =
+        std::ranges::all_of(drawn.spans, [y](const Span& span) { return span.y == y; });
+    return fmt::format("{}{} {}", is_row ? fmt::format("row {}: ", height - 1 - y) : "",
+                       ids.size() == 1 ? "polygon" : "polygons", fmt::join(ids, ", "));
+}
+
+/// A pass for each thing drawn, so that a report steps through the drawing. A list of more than a
+/// report shows stays one pass.
+CommandList in_passes(CommandList list, int height) {
+    const auto is_drawn = [](const gw::Command& c) {
+        return std::holds_alternative<WriteSpans>(c);
+    };
+    if (std::ranges::count_if(list.commands, is_drawn) >= std::ptrdiff_t(report::most_passes))
+        return list;
+    CommandList passes;
+    for (gw::Command& command : list.commands) {
+        if (const auto* drawn = std::get_if<WriteSpans>(&command))
+            passes.add(BeginPass{.name = name_of(*drawn, height)});
+        passes.commands.push_back(std::move(command));
+    }
+    return passes;
+}
 
 CommandList hidden_surface_list(const Drawing& drawing, const scene::View& view,
                                 const std::string& name) {
     hiddensurface::StepLog none;
     const hiddensurface::Input input =
         hiddensurface::make_input(drawing.scene, view, drawing.profile);
-    return hiddensurface::algorithm_named(name).run(input, none).list;
+    return in_passes(hiddensurface::algorithm_named(name).run(input, none).list, view.height);
 }
 
 /// What a recording says of its drawing.
@@ -32,6 +67,11 @@ inspect::Recording heading_of(const Drawing& drawing, const std::string& algorit
 }
 
 }  // namespace
+
+bool writes_identifiers(const inspect::Recording& recording) {
+    const auto names = hiddensurface::algorithm_names();
+    return std::ranges::find(names, recording.renderer) != names.end();
+}
 
 inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList> lists) {
     inspect::Recording recording;

@@ -19,6 +19,9 @@ namespace gw::apps {
 /// The recording of lists that were executed for a drawing, with the drawing's names.
 inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList> lists);
 
+/// Hidden-surface algorithms write each polygon's identifier for its colour.
+bool writes_identifiers(const inspect::Recording& recording);
+
 /// Draws the drawing and records everything that enters the machine. A hidden-surface algorithm of
 /// this name draws the scene instead; "": none.
 inspect::Recording record(const Drawing& drawing, const Session& session,

@@ -71,7 +71,7 @@ private:
 };
 
 Output run(const Input& input, StepLog& log) {
-    Output output{.list = scene::id_pass(input.scene, input.view)};
+    Output output{.list = scene::id_pass(input.scene, input.view, {.name = "Z-buffer"})};
     Buffers buffers(input, log);
     log.watch({{"depths", &buffers.compared()}});
     for (const Polygon& polygon : input.polygons) buffers.draw(polygon);

@@ -1,5 +1,7 @@
 #include "inspect/report/pass_observer.h"
 
+#include "scene/draw/draw_commands.h"
+
 #include <algorithm>
 
 namespace gw::report {
@@ -50,7 +52,11 @@ void PassObserver::fragment(const Fragment& fragment, Fate fate, const PixelValu
     if (draw() && fate == Fate::Written) polygons_.written(fragment, *polygon(fragment), state_);
     if (history_)
         history_->add({fragment.x, fragment.y, command_index(), before, after, &fragment, fate,
-                       draw(), polygon(fragment)});
+                       draw(), named(fragment)});
+}
+
+std::optional<std::uint32_t> PassObserver::named(const Fragment& fragment) const {
+    return identifiers_ ? scene::id_of(fragment.color) : polygon(fragment);
 }
 
 void PassObserver::pixel(int x, int y, const PixelValues& before, const PixelValues& after) {

@@ -47,8 +47,9 @@ private:
 
 class PassObserver : public inspect::FollowingObserver {
 public:
-    explicit PassObserver(const inspect::Recording& recording)
-        : FollowingObserver(recording), polygons_(recording) {}
+    /// `identifiers`: colours name polygons, also those of spans.
+    PassObserver(const inspect::Recording& recording, bool identifiers)
+        : FollowingObserver(recording), polygons_(recording), identifiers_(identifiers) {}
 
     /// From now on; null: not kept.
     void keep_in(TileHistory* history) { history_ = history; }
@@ -60,7 +61,10 @@ public:
     void pixel(int x, int y, const PixelValues& before, const PixelValues& after) override;
 
 private:
+    std::optional<std::uint32_t> named(const Fragment& fragment) const;
+
     PolygonPlane polygons_;
+    bool identifiers_;
     TileHistory* history_ = nullptr;
     State state_;
 };

@@ -64,11 +64,11 @@ std::vector<bool> passes_of_identifiers(const inspect::Recording& recording,
 /// Replays on the reference machine, which reports the fate of every fragment.
 class Replay {
 public:
-    Replay(const inspect::Recording& recording, ReportFolder& folder)
+    Replay(const inspect::Recording& recording, ReportFolder& folder, bool identifiers)
         : recording_(recording),
           ranges_(inspect::pass_ranges(recording)),
           folder_(folder),
-          observer_(recording),
+          observer_(recording, identifiers),
           machine_(
               reference::make(recording.profile, recording.width, recording.height, &observer_)),
           player_(recording, *machine_) {}
@@ -151,7 +151,7 @@ ReportSummary write_report(const inspect::Recording& recording, const std::files
         kept = history_that_fits(manifest, shown);
     ReportFolder files(folder, options.most_bytes);
     files.make_folder("pictures");
-    Replay replay(recording, files);
+    Replay replay(recording, files, options.identifiers);
     const std::vector<bool> identifiers = passes_of_identifiers(recording, options);
     const auto pictures = replay.run(shown, kept, identifiers, options.progress);
     options.progress("writing");

@@ -123,7 +123,7 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     state.clip_planes[0] = options.clip;
     CommandList list;
     list.commands.reserve(3 + scene.objects.size());
-    list.add(BeginPass{.name = "item buffer"});
+    list.add(BeginPass{.name = options.name});
     list.add(SetState{state});
     list.add(Clear{.planes = PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth))});
     const PolygonIds ids = polygon_ids(scene);

@@ -61,6 +61,7 @@ struct PolygonRef {
 std::optional<PolygonRef> polygon_of(const PolygonIds& ids, std::uint32_t id);
 
 struct IdPass {
+    const char* name = "item buffer";
     int shift = 0;             ///< identifiers are shifted right by this many bits
     bool opaque_only = false;  ///< objects with d < 1 are left out
     JitterState jitter;        ///< [K4a]

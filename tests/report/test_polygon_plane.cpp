@@ -30,7 +30,7 @@ std::vector<std::uint32_t> ids_after(const std::vector<Draw>& draws) {
     list.add(SetState{state});
     for (const Draw& draw : draws) list.add(draw);
     recording.lists.push_back(list);
-    PassObserver observer(recording);
+    PassObserver observer(recording, false);
     const auto machine = reference::make(recording.profile, 4, 1, &observer);
     inspect::Player(recording, *machine).play();
     return observer.polygons().ids();

@@ -76,10 +76,12 @@ export const planesOfPass = (pass: Pass): PlaneName[] =>
 export const isChanged = (pass: Pass, plane: PlaneName): boolean =>
   pass.planes[plane]?.change !== undefined;
 
-/** Identifiers if the pass wrote some, else the first plane that it changed. */
+/** Identifiers if the pass wrote some, else the first plane that it changed; of a pass of identifiers
+ * that changed nothing, these too. */
 export function tellingPlane(pass: Pass): PlaneName {
   if (pass.identifiers && isChanged(pass, 'identifiers')) return 'identifiers';
-  return planesOfPass(pass).find((plane) => isChanged(pass, plane)) ?? 'color';
+  const changed = planesOfPass(pass).find((plane) => isChanged(pass, plane));
+  return changed ?? (pass.identifiers ? 'identifiers' : 'color');
 }
 
 export const passOfCommand = (report: Report, command: number): Pass =>

@@ -75,6 +75,27 @@ TEST_F(Inspect, HiddenSurfaceRunsToo) {
     }
 }
 
+TEST_F(Inspect, AHiddenSurfaceRunHasAPassForEachThingDrawn) {
+    const auto names_by = [&](const std::string& algorithm) {
+        EXPECT_EQ(record("h.gwt", {"--algorithm", algorithm}), 0);
+        EXPECT_EQ(inspect({"h.gwt", "-o", "h"}).code, 0);
+        const nlohmann::json shown = report("h");
+        std::vector<std::string> names;
+        for (const auto& pass : shown["passes"]) names.push_back(pass["name"]);
+        return names;
+    };
+    const auto painted = names_by("painter-centroid");
+    EXPECT_EQ(painted.front(), "painter's, centroid");
+    ASSERT_GT(painted.size(), 1u);
+    for (std::size_t i = 1; i < painted.size(); ++i)
+        EXPECT_NE(painted[i].find("polygon "), std::string::npos) << painted[i];
+    const auto scanned = names_by("scan-line");
+    ASSERT_GT(scanned.size(), 3u);
+    for (std::size_t i = 1; i < scanned.size(); ++i)
+        EXPECT_TRUE(scanned[i].starts_with("row ")) << scanned[i];
+    EXPECT_EQ(names_by("z-buffer"), std::vector<std::string>{"Z-buffer"});
+}
+
 TEST_F(Inspect, AnEarlierReportIsReplacedAndNothingElse) {
     ASSERT_EQ(inspect({"t.gwt", "-o", "r"}).code, 0);
     ASSERT_EQ(inspect({"t.gwt", "-o", "r", "--history", "none"}).code, 0);

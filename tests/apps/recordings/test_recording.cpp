@@ -85,6 +85,19 @@ TEST_F(Recordings, HoldHiddenSurfaceAlgorithms) {
     EXPECT_EQ(record({"lamps.toml", "-o", "t.gwt", "--algorithm", "sorting"}).code, 2);
 }
 
+TEST_F(Recordings, APixelOfAHiddenSurfaceAlgorithmNamesItsPolygon) {
+    const auto shown_by = [&](const std::string& name) {
+        EXPECT_EQ(record({"lamps.toml", "-o", "t.gwt", "--algorithm", name}).code, 0);
+        const Outcome outcome = gw({"pixel", "t.gwt", "8", "8", "--json"});
+        const auto last = nlohmann::json::parse(outcome.out)["events"].back();
+        EXPECT_EQ(last["color"][0], last["polygon"]) << last;
+        return last["polygon"].get<int>();
+    };
+    EXPECT_GT(shown_by("newell"), 0);
+    EXPECT_EQ(shown_by("newell"), shown_by("z-buffer"));
+    EXPECT_EQ(shown_by("scan-line"), shown_by("z-buffer"));
+}
+
 class RadiosityRecordings : public ExampleTest {};
 
 TEST_F(RadiosityRecordings, OfHemicubesAndOfPicturesReplay) {
