@@ -45,6 +45,12 @@ std::string caption_of(const Growth& growth, const GrowthAxis& axis, bool lines)
 
 }  // namespace
 
+void add_styles(plot::Plot& plot, const Growth& growth, bool lines) {
+    const std::vector<std::string> names = algorithms_of(growth, lines);
+    for (plot::Series& series : plot.series)
+        series.style = std::size_t(std::ranges::find(names, series.name) - names.begin());
+}
+
 std::vector<GrowthPlot> growth_plots(const Growth& growth) {
     std::vector<GrowthPlot> plots;
     for (const GrowthAxis& axis : growth_axes())
@@ -60,6 +66,7 @@ std::vector<GrowthPlot> growth_plots(const Growth& growth) {
                 for (const std::string& name : algorithms_of(growth, lines))
                     if (auto points = points_of(growth, axis.name, name, value); !points.empty())
                         plot.series.push_back({.name = name, .points = std::move(points)});
+                add_styles(plot, growth, lines);
                 if (!plot.series.empty())
                     plots.push_back(
                         {fmt::format("{}{}_{}", lines ? "lines_" : "", axis.name, value), axis.name,

@@ -12,6 +12,9 @@ struct GrowthPlot {
     bool lines = false;
     plot::Plot plot;
 };
+/// The same colour and line for an algorithm in every plot of surfaces, or of lines.
+void add_styles(plot::Plot& plot, const Growth& growth, bool lines);
+
 /// A plot for every axis and every value above 0, with all algorithms; surfaces and lines have plots
 /// of their own.
 std::vector<GrowthPlot> growth_plots(const Growth& growth);

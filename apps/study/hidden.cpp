@@ -115,9 +115,8 @@ public:
         output_.add(options_.output / (name + ".svg")).write_text(plot::svg(plot));
         if (heading != heading_) page_ += "<h2>" + plot::escaped(heading) + "</h2>\n";
         heading_ = heading;
-        page_ +=
-            fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\" width=\"480\"></a>\n",
-                        name, plot::escaped(plot.title));
+        page_ += fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n", name,
+                             plot::escaped(plot.title));
     }
     void add_text(const std::string& heading, const std::string& text) {
         page_ +=
@@ -129,7 +128,8 @@ public:
                 "<!DOCTYPE html>\n"
                 "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth and "
                 "cost</title>\n"
-                "<style>body{font-family:sans-serif}pre{font-size:11px;overflow-x:auto}</style>\n"
+                "<style>body{font-family:sans-serif}pre{font-size:15px;overflow-x:auto}"
+                "img{width:min(100%,920px)}</style>\n"
                 "<h1>Hidden surfaces: growth and cost</h1>\n"
                 "<p><a href=\"growth.csv\">growth.csv</a> <a href=\"laws.csv\">laws.csv</a> <a "
                 "href=\"costs.csv\">costs.csv</a></p>\n" +
@@ -169,8 +169,10 @@ Costs add_costs(const study::Growth& growth, const std::vector<study::PriceList>
                 costs.text += ranking_text(rankings, axis, list, lines);
                 for (const study::Ranking& ranking : rankings)
                     costs.csv += cost_rows(ranking, axis, list);
+                plot::Plot plot = study::cost_plot(rankings, axis, list, lines);
+                study::add_styles(plot, growth, lines);
                 sheet.add(fmt::format("{}cost_{}_{}", lines ? "lines_" : "", list.name, axis.name),
-                          "Costs", study::cost_plot(rankings, axis, list, lines));
+                          "Costs", std::move(plot));
             }
     return costs;
 }

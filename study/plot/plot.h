@@ -4,6 +4,7 @@
 
 #include "gw/base/types.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,8 @@ struct Series {
     std::vector<dvec2> points;
     bool line = true, markers = true;
     bool dashed = false;  ///< for theory beside measurements
+    /// of colour, line and marker; the place among the series if not given
+    std::optional<std::size_t> style{};
 };
 
 struct Axis {

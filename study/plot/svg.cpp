@@ -18,6 +18,9 @@ constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                   "#e69f00", "#56b4e9", "#000000"};
 constexpr std::size_t color_count = std::size(colors);
 
+/// With more series than colours, a repeated colour has another line.
+constexpr const char* dashes[] = {"", " stroke-dasharray=\"9 3\"", " stroke-dasharray=\"2 3\""};
+
 /// Markers around (0, 0), a different one for each series.
 constexpr const char* shapes[] = {"M-3.5,0a3.5,3.5 0 1,0 7,0a3.5,3.5 0 1,0 -7,0",
                                   "M-3,-3h6v6h-6z",
@@ -101,11 +104,12 @@ std::string frame(const Plot& plot) {
 std::string stroke_of(const Series& series, std::size_t index) {
     return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"{}",
                        colors[index % color_count],
-                       series.dashed ? " stroke-dasharray=\"5 4\"" : "");
+                       series.dashed ? " stroke-dasharray=\"5 4\""
+                                     : dashes[index / color_count % std::size(dashes)]);
 }
 
 std::string marker(double x, double y, std::size_t index, const std::string& title) {
-    // With more series than colours, a repeated colour has another shape.
+    // A repeated colour has another shape.
     const std::size_t shape = (index + index / color_count) % std::size(shapes);
     const char* color = colors[index % color_count];
     return fmt::format(
@@ -116,6 +120,7 @@ std::string marker(double x, double y, std::size_t index, const std::string& tit
 
 std::string drawn(const Series& series, std::size_t index, const Paper& paper) {
     std::string points, markers;
+    index = series.style.value_or(index);
     for (const dvec2& p : series.points) {
         const double x = paper.at_x(p.x), y = paper.at_y(p.y);
         points += fmt::format("{}{:.2f},{:.2f}", points.empty() ? "" : " ", x, y);
@@ -132,9 +137,11 @@ std::string legend(const std::vector<Series>& all) {
     std::string out;
     double y = top + 10;
     for (std::size_t i = 0; i < all.size(); ++i, y += line_height + 4) {
+        const std::size_t style = all[i].style.value_or(i);
         if (all[i].line)
-            out += fmt::format("<path d=\"M{},{}h24\" {}/>\n", right + 12, y, stroke_of(all[i], i));
-        if (all[i].markers) out += marker(right + 24, y, i, "");
+            out += fmt::format("<path d=\"M{},{}h24\" {}/>\n", right + 12, y,
+                               stroke_of(all[i], style));
+        if (all[i].markers) out += marker(right + 24, y, style, "");
         out += text(right + 42, y + 4, "", all[i].name);
     }
     return out;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 namespace gw::plot {
 namespace {
@@ -69,6 +70,25 @@ TEST(Svg, DrawsALineAndItsMarkersWhereTheAxesSay) {
     EXPECT_NE(text.find("<title>one, two: 8, 0.125</title>"), text.npos);
     EXPECT_NE(text.find("translate(288.00,380.00)"), text.npos);
     EXPECT_NE(text.find("gw study x"), text.npos);
+}
+
+/// The colours and dashes of the legend's lines, each once.
+std::set<std::string> lines_of_legend(const Plot& plot) {
+    const std::string text = svg(plot), begin = "<path d=\"M512";
+    std::set<std::string> lines;
+    for (std::size_t at = text.find(begin); at != text.npos; at = text.find(begin, at + 1)) {
+        const std::size_t fill = text.find("fill", at);
+        lines.insert(text.substr(fill, text.find("/>", at) - fill));
+    }
+    return lines;
+}
+
+TEST(Svg, GivesEachOfTwentyOneSeriesAnotherLineUnlessTheyShareAStyle) {
+    Plot plot = small;
+    plot.series.assign(21, {.name = "s", .points = {{2, 0.5}, {8, 0.125}}});
+    EXPECT_EQ(lines_of_legend(plot).size(), 21u);
+    plot.series[1].style = 0;
+    EXPECT_EQ(lines_of_legend(plot).size(), 20u);
 }
 
 TEST(Svg, BreaksALongCaptionAtBlanks) {
