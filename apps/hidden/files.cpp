@@ -43,24 +43,32 @@ void put_shares(image::OutputSet& output, const std::filesystem::path& file, con
         image::put_picture(output.add(file), picture_of_shares(input, result.shares, colors));
 }
 
-std::vector<image::Picture> sheet_row(std::vector<image::Picture> pictures, const Compared& run) {
-    const auto captions = captions_of(run.algorithm->name, run.result.counts);
-    for (std::size_t k = 0; k < pictures.size(); ++k)
-        pictures[k] = captioned(enlarged(pictures[k]), captions[k]);
-    return pictures;
+bool has_difference(const hs::Result& result) {
+    return std::ranges::any_of(result.difference,
+                               [](hs::Difference d) { return d != hs::Difference::None; });
 }
 
-/// Groups the algorithms into rows so that the sheet is about as high as it is wide.
+/// Its picture for the sheet; after it the difference from the Z-buffer's, if there is any.
+std::vector<image::Picture> panels_of(const std::vector<image::Picture>& pictures,
+                                      const Compared& run) {
+    const auto captions = captions_of(run.algorithm->name, run.result.counts);
+    std::vector<image::Picture> panels{captioned(enlarged(pictures[0]), captions[0])};
+    if (has_difference(run.result)) panels.push_back(captioned(enlarged(pictures[1]), captions[1]));
+    return panels;
+}
+
+/// Rows so that the sheet is about as high as it is wide; what belongs to an algorithm stays in one.
 std::vector<std::vector<image::Picture>> in_rows(std::vector<std::vector<image::Picture>> all) {
     const image::Picture& one = all.front().front();
-    const std::size_t width = all.front().size() * std::size_t(one.width),
-                      height = std::size_t(one.height);
-    std::size_t abreast = 1;
-    while (abreast * width < (all.size() + abreast - 1) / abreast * height) ++abreast;
-    std::vector<std::vector<image::Picture>> rows;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i % abreast == 0) rows.emplace_back();
-        std::move(all[i].begin(), all[i].end(), std::back_inserter(rows.back()));
+    std::size_t count = 0, abreast = 2;
+    for (const auto& panels : all) count += panels.size();
+    while (abreast * std::size_t(one.width) <
+           (count + abreast - 1) / abreast * std::size_t(one.height))
+        ++abreast;
+    std::vector<std::vector<image::Picture>> rows(1);
+    for (auto& panels : all) {
+        if (rows.back().size() + panels.size() > abreast) rows.emplace_back();
+        std::ranges::move(panels, std::back_inserter(rows.back()));
     }
     return rows;
 }
@@ -158,7 +166,7 @@ void put_comparison(image::OutputSet& output, const std::filesystem::path& folde
                                pictures[k]);
         put_shares(output, folder / (run.algorithm->name + "_smooth.png"), input, run.result,
                    colors);
-        rows.push_back(sheet_row(pictures, run));
+        rows.push_back(panels_of(pictures, run));
     }
     image::put_picture(output.add(folder / "sheet.png"), sheet_of(in_rows(std::move(rows))));
     image::put_picture(

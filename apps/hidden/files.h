@@ -39,8 +39,8 @@ std::string put_steps(image::OutputSet& output, const std::filesystem::path& fol
                       const hiddensurface::Input& input, const Compared& run);
 
 /// Writes sheet.png, the same pictures one by one, complexity.png, counts.csv, counts.json and, if
-/// the build has the page, index.html. The sheet has each algorithm's picture, difference and writes side by side, with
-/// captions; a row holds several algorithms if there are many.
+/// the build has the page, index.html. The sheet has each algorithm's picture, and the difference if
+/// there is any, with captions.
 void put_comparison(image::OutputSet& output, const std::filesystem::path& folder,
                     const hiddensurface::Input& input, const std::vector<Compared>& all);
 

@@ -5,7 +5,7 @@
 namespace gw::apps {
 namespace {
 
-constexpr int glyph_width = 5, glyph_height = 7, glyphs_in_row = 16;
+constexpr int glyph_width = 5, glyph_height = 7, tail_height = 2, glyphs_in_row = 16;
 /// The distance from letter to letter, and from line to line.
 constexpr int letter_width = 6, line_height = 10;
 constexpr std::uint16_t ground = 24;
@@ -65,8 +65,15 @@ constexpr std::string_view glyphs =
 constexpr int line_length = glyphs_in_row * (glyph_width + 1);
 static_assert(glyphs.size() == 6 * glyph_height * line_length);
 
+/// The tails of these are below the line: row 3, the side of the bowl, stands three times.
+bool descends(char letter) {
+    return std::string_view("gpqy").find(letter) != std::string_view::npos;
+}
+
 /// `x` from the left, `y` from the top.
 bool is_ink(char letter, int x, int y) {
+    if (descends(letter)) y = y <= 3 ? y : std::max(3, y - tail_height);
+    if (y >= glyph_height) return false;
     const int code = letter >= ' ' && letter <= '~' ? letter : 127;
     const int row = (code - ' ') / glyphs_in_row, column = (code - ' ') % glyphs_in_row;
     return glyphs[std::size_t((row * glyph_height + y) * line_length + column * (glyph_width + 1) +
@@ -92,7 +99,7 @@ int length_of(const TextLine& line) {
 void write_text(image::Picture& picture, int left, int top, int scale, const Color& color,
                 std::string_view text) {
     for (const char letter : text) {
-        for (int y = 0; y < glyph_height; ++y)
+        for (int y = 0; y < glyph_height + tail_height; ++y)
             for (int x = 0; x < glyph_width; ++x)
                 if (is_ink(letter, x, y))
                     put_square(picture, left + x * scale, top + y * scale, scale, color);

@@ -1,4 +1,5 @@
-// Text in pictures: letters, digits and signs of ASCII, 5 x 7 dots each. Needs no font file.
+// Text in pictures: letters, digits and signs of ASCII, 5 x 7 dots each, and tails of 2 dots. Needs
+// no font file.
 #pragma once
 
 #include "image/picture.h"

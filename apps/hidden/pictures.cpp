@@ -90,7 +90,9 @@ image::Picture enlarged(const image::Picture& picture) {
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
     constexpr int gap = 4;
     const image::Picture& one = rows.front().front();
-    const int columns = int(rows.front().size()), lines = int(rows.size());
+    std::size_t longest = 0;
+    for (const auto& row : rows) longest = std::max(longest, row.size());
+    const int columns = int(longest), lines = int(rows.size());
     image::Picture sheet =
         blank(columns * (one.width + gap) - gap, lines * (one.height + gap) - gap);
     for (std::uint16_t& v : sheet.values) v = 255;
@@ -107,21 +109,19 @@ image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows) {
     return sheet;
 }
 
-std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,
+std::array<std::vector<TextLine>, 2> captions_of(const std::string& algorithm,
                                                  const hs::Counts& counts) {
-    const auto count = [](const char* name, std::uint64_t n) {
-        return fmt::format("{} {}", n, name);
+    TextLine work, others;
+    const auto add = [](TextLine& line, std::uint64_t n, const char* name, const Color& color) {
+        if (n > 0) line.push_back({fmt::format("{} {}", n, name), color});
     };
-    TextLine times;
-    for (std::size_t i = 0; i < colors_of_counts.size(); ++i)
-        times.push_back({std::to_string(i), i == 0 ? grey : colors_of_counts[i]});
-    times.push_back({"or more", red});
-    return {{{{{algorithm}}, {{count("splits", counts.splits), grey}}},
-             {{{count("wrong", counts.wrong), counts.wrong > 0 ? red : white}},
-              {{count("ties", counts.ties), yellow},
-               {count("edges", counts.edges), cyan},
-               {count("snapped", counts.snapped), blue}}},
-             {{{"writes"}, {count("overdraw", counts.overdraw), grey}}, times}}};
+    add(work, counts.splits, "splits", grey);
+    add(work, counts.overdraw, "overdraw", grey);
+    add(others, counts.ties, "ties", yellow);
+    add(others, counts.edges, "edges", cyan);
+    add(others, counts.snapped, "snapped", blue);
+    const Word wrong{fmt::format("{} wrong", counts.wrong), counts.wrong > 0 ? red : white};
+    return {{{{{algorithm}}, work}, {{wrong}, others}}};
 }
 
 }  // namespace gw::apps

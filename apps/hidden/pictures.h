@@ -47,11 +47,11 @@ image::Picture picture_of_counts(const std::vector<std::uint8_t>& counts, int wi
 /// A small picture, enlarged by a whole factor to a width of about 320 pixels.
 image::Picture enlarged(const image::Picture& picture);
 
-/// Rows of pictures of one size, 4 pixels apart. The first row is on top and the longest.
+/// Rows of pictures of one size, 4 pixels apart. The first row is on top.
 image::Picture sheet_of(const std::vector<std::vector<image::Picture>>& rows);
 
-/// Captions for a comparison's picture, difference and writes.
-std::array<std::vector<TextLine>, 3> captions_of(const std::string& algorithm,
+/// Captions for a comparison's picture and difference.
+std::array<std::vector<TextLine>, 2> captions_of(const std::string& algorithm,
                                                  const hiddensurface::Counts& counts);
 
 }  // namespace gw::apps

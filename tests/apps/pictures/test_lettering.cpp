@@ -17,7 +17,7 @@ image::Picture black(int width, int height) {
 }
 
 std::vector<std::uint16_t> shape(char letter) {
-    image::Picture picture = black(5, 7);
+    image::Picture picture = black(5, 9);
     write_text(picture, 0, 0, 1, ink, std::string(1, letter));
     return picture.values;
 }
@@ -36,10 +36,24 @@ TEST(Lettering, HasAShapeForEverySignOfAscii) {
 TEST(Lettering, IsUprightWithTheTopRowLast) {
     const auto l = shape('L');
     const auto at = [&](int x, int y_up) { return l[std::size_t(3 * (y_up * 5 + x))]; };
-    for (int y = 0; y < 7; ++y) EXPECT_EQ(at(0, y), 255);
+    for (int y = 0; y < 9; ++y) EXPECT_EQ(at(0, y), y < 2 ? 0 : 255);
     for (int x = 0; x < 5; ++x) {
-        EXPECT_EQ(at(x, 0), 255);
-        EXPECT_EQ(at(x, 6), x == 0 ? 255 : 0);
+        EXPECT_EQ(at(x, 2), 255);
+        EXPECT_EQ(at(x, 8), x == 0 ? 255 : 0);
+    }
+}
+
+TEST(Lettering, HasTailsBelowTheLine) {
+    for (const char letter : std::string("gpqy")) {
+        const auto dots = shape(letter);
+        EXPECT_TRUE(std::any_of(dots.begin(), dots.begin() + 5 * 3, [](auto v) { return v > 0; }))
+            << letter;
+    }
+    for (const char letter : std::string("abdehnoPx")) {
+        const auto dots = shape(letter);
+        EXPECT_TRUE(std::all_of(dots.begin(), dots.begin() + 2 * 5 * 3, [](auto v) {
+            return v == 0;
+        })) << letter;
     }
 }
 
