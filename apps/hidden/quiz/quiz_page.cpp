@@ -20,12 +20,19 @@ article { break-inside: avoid; border-top: 0.3mm solid #999; padding: 4mm 0 }
 h2 { font-size: 12pt; margin: 0 0 2mm }
 p { margin: 0 0 2mm }
 .both { display: grid; grid-template-columns: 100mm 1fr; gap: 4mm }
-svg { width: 100mm; height: auto; print-color-adjust: exact; -webkit-print-color-adjust: exact }
+svg { width: 100mm; height: auto; overflow: visible; print-color-adjust: exact; -webkit-print-color-adjust: exact }
 table { border-collapse: collapse; font-size: 9pt }
 td, th { border: 0.2mm solid #aaa; padding: 0.3mm 2mm; text-align: right }
 ol { list-style: lower-alpha; margin: 0 0 2mm; padding-left: 6mm }
 .answer { border: 0.3mm solid #333; padding: 1.5mm 3mm; margin-top: 2mm }
 .given { font-weight: bold }
+@media print {
+  body { font-size: 10pt; max-width: none; margin: 0; padding: 0 }
+  article { padding: 2.5mm 0 }
+  .both { grid-template-columns: 76mm 1fr }
+  svg { width: 76mm }
+  table { font-size: 8pt }
+}
 @media (max-width: 640px) { .both { grid-template-columns: 1fr } svg { width: 100% } }
 )";
 
