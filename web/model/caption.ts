@@ -1,6 +1,10 @@
 // A sentence below a picture, as letters on a canvas.
 
-/** Lines no wider than `room`; broken at blanks, else within a word (Japanese has no blanks). */
+/** A Japanese letter with the marks that no line begins with, or a word. */
+const unbroken =
+  /[\u3040-\u30fe\u3400-\u9fff][、。）」ー]*\s*|[^\s\u3040-\u30fe\u3400-\u9fff]+\s*/g;
+
+/** Lines no wider than `room`; broken at blanks and between Japanese letters, else within a word. */
 export function linesOfText(
   text: string,
   room: number,
@@ -8,7 +12,7 @@ export function linesOfText(
 ): string[] {
   const lines: string[] = [];
   let line = '';
-  for (const part of text.match(/\S+\s*/g) ?? []) {
+  for (const part of text.match(unbroken) ?? []) {
     if (widthOf(line + part.trimEnd()) <= room) {
       line += part;
       continue;
@@ -37,9 +41,9 @@ export interface Lettering {
   readonly paper: string;
 }
 
-const rows = 2;
+const rows = 3;
 
-/** The picture with room for two lines below; a longer text ends with three dots. */
+/** The picture with room for three lines below; a longer text ends with three dots. */
 export function withCaption(
   picture: HTMLCanvasElement,
   text: string,

@@ -16,6 +16,11 @@ it('breaks a text without blanks anywhere, and loses no letter', () => {
   expect(linesOfText('a 12345678', 4, widthOf).join('').replace(/ /g, '')).toBe('a12345678');
 });
 
+it('breaks Japanese between letters, not before a mark or within a number', () => {
+  expect(linesOfText('4 の頂点は 0.77 です。', 8, widthOf)).toEqual(['4 の頂点は', '0.77 です。']);
+  expect(linesOfText('描きます。', 4, widthOf)).toEqual(['描きま', 'す。']);
+});
+
 it('makes no line of nothing', () => {
   expect(linesOfText('  ', 5, widthOf)).toEqual([]);
 });
