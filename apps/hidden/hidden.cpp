@@ -10,6 +10,7 @@
 #include "hiddensurface/quiz/quiz.h"
 #include "hiddensurface/run/estimate.h"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
@@ -244,6 +245,15 @@ void put_all_steps(image::OutputSet& output, const HiddenOptions& options, const
     put_player(output, options.steps, logs);
 }
 
+/// Not every algorithm decides by lines, spans or pixels.
+void warn_of_coarse(const std::string& algorithm, const hs::StepLog& log) {
+    hs::Level finest = hs::Level::Polygon;
+    for (const hs::Step& step : log.steps()) finest = std::max(finest, step.level);
+    if (log.on() && finest < log.finest())
+        print_warning(fmt::format("--level {}: {} has no finer steps than of a {}",
+                                  hs::name_of(log.finest()), algorithm, hs::name_of(finest)));
+}
+
 int surfaces(const HiddenOptions& options, Session& session) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture, session);
@@ -265,6 +275,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
         hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
         hs::Result result = hs::run_on(*machine, *algorithm, input, log);
         hs::compare(result, expected.ids, input);
+        warn_of_coarse(algorithm->name, log);
         all.push_back({algorithm, std::move(result), std::move(log)});
     }
     progress.at("writing");

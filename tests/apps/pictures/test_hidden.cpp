@@ -143,6 +143,14 @@ TEST_F(Hidden, WritesTwoAlgorithmsIntoOnePlayer) {
     }
 }
 
+TEST_F(Hidden, WarnsIfAnAlgorithmHasNoStepsSoFine) {
+    const Outcome coarse = hidden({"--algorithm", "newell", "--level", "pixel", "--steps", "n"});
+    EXPECT_EQ(coarse.code, 0);
+    EXPECT_EQ(coarse.err,
+              "gw: warning: --level pixel: newell has no finer steps than of a polygon\n");
+    EXPECT_EQ(hidden({"--algorithm", "z-buffer", "--level", "pixel", "--steps", "z"}).err, "");
+}
+
 TEST_F(Hidden, WritesAComparisonOfAll) {
     const Outcome outcome = hidden({"--compare", "c"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
