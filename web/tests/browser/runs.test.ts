@@ -5,6 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'puppeteer-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { titleOf } from '../../words/titles';
 import { complaintsOf, launched } from './browser';
 
 const gw = process.env['GW'] ?? '';
@@ -116,6 +117,9 @@ describe.skipIf(gw === '')('a run of gw hidden', () => {
     await page.waitForSelector('figure');
     const names = await page.$$eval('figcaption b', (all) => all.map((b) => b.textContent!));
     expect([...names].sort()).toEqual(surfaces);
+    const titles = await page.$$eval('figcaption .title', (all) => all.map((t) => t.textContent!));
+    for (const [i, name] of names.entries())
+      expect(titleOf(name, titles[i]!, 'ja'), name).not.toBe(titles[i]);
     for (const [i, name] of names.entries()) {
       expect(await wrongValues(page, `${out}/${name}.png`, 3 * i), name).toBe(0);
       expect(await wrongValues(page, `${out}/${name}_writes.png`, 3 * i + 2), name).toBe(0);
