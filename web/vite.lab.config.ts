@@ -57,10 +57,10 @@ function data(): Plugin {
       page.replace(
         '<!-- engine -->',
         () =>
-          block('worker', scriptText('lab/worker.ts', 'iife')) +
+          block('worker', scriptText('lab/machine/worker.ts', 'iife')) +
           block('scenes', packed(JSON.stringify(sceneFiles()))) +
           block('engine', packed(readFileSync(join(engine, 'engine.wasm')))) +
-          `<script>${scriptText('lab/early.ts', 'iife')}</script>` +
+          `<script>${scriptText('lab/machine/early.ts', 'iife')}</script>` +
           block('scalar', packed(readFileSync(join(scalar, 'engine.wasm')))) +
           block('editor', scriptText('components/code_editor.ts', 'esm')),
       ),

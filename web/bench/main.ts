@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
 import puppeteer, { type Browser, type Page } from 'puppeteer-core';
-import type { Machine } from '../lab/machine';
+import type { Machine } from '../lab/machine/machine';
 import type { Frame, WebGlPlayer } from './webgl';
 
 const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';

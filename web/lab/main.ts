@@ -1,8 +1,8 @@
 // Starts the lab: the machine is beginning in its worker, and the page asks it for the first picture.
 import { mount } from 'svelte';
 import App from './App.svelte';
-import { beginWorker } from './begin_worker';
-import { Machine } from './machine';
+import { beginWorker } from './machine/begin_worker';
+import { Machine } from './machine/machine';
 
 const machine = new Machine(window.begun ?? beginWorker());
 const target = document.getElementById('app')!;

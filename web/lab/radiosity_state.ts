@@ -1,14 +1,8 @@
 // The state of the exhibit of radiosity in the address.
-/** A reflectance, an emitter, or a place, as `gw radiosity --change` has them. */
-export const changesOf = ['Kd', 'dim', 'move'] as const;
+import type { LightChange } from './machine/protocol';
 
-export interface LightChange {
-  /** So many shots were done. */
-  readonly after: number;
-  readonly object: string;
-  readonly what: (typeof changesOf)[number];
-  readonly value: readonly number[];
-}
+export const changesOf = ['Kd', 'dim', 'move'] as const satisfies LightChange['what'][];
+
 export interface RadiosityState {
   /** Pixels across. */
   hemicube: number;

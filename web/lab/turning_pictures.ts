@@ -1,7 +1,7 @@
 // Pictures of a turning eye, from two machines in turn: while one draws, the other one begins the
 // next. Only the newest wish waits; a picture that is ready after a later one is dropped.
-import type { Machine } from './machine';
-import type { PassesOptions } from './protocol';
+import type { Machine } from './machine/machine';
+import type { PassesOptions } from './machine/protocol';
 
 export interface Turned {
   /** By eq. 1. None: the machine cannot. */

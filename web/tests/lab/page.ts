@@ -1,8 +1,8 @@
 // The built lab in Debian's Chromium, from disk.
 import puppeteer, { type Browser, type Page } from 'puppeteer-core';
 import { afterAll, afterEach, beforeAll, beforeEach, expect } from 'vitest';
-import type { Machine } from '../../lab/machine';
-import type { Methods } from '../../lab/protocol';
+import type { Machine } from '../../lab/machine/machine';
+import type { Methods } from '../../lab/machine/protocol';
 
 export const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';
 

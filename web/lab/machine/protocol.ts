@@ -1,6 +1,5 @@
 // What the page asks the worker, and what it answers.
-import type { Point } from '../model/steps/log';
-import type { LightChange } from './radiosity_state';
+import type { Point } from '../../model/steps/log';
 
 export interface View {
   readonly width: number;
@@ -181,6 +180,14 @@ export interface PixelFacts {
   };
 }
 
+export interface LightChange {
+  /** So many shots were done. */
+  readonly after: number;
+  readonly object: string;
+  /** A reflectance, an emitter, or a place, as `gw radiosity --change` has them. */
+  readonly what: 'Kd' | 'dim' | 'move';
+  readonly value: readonly number[];
+}
 /** A state of the light of a scene. */
 export interface LightOptions {
   readonly width: number;
