@@ -25,9 +25,13 @@ inline V all(float v) { return hn::Set(D(), v); }
 
 /// Bit i of the result: lane i.
 inline unsigned bits_of(M mask) {
+#if HWY_TARGET == HWY_WASM  // Highway before 1.1 goes through memory
+    return unsigned(wasm_i32x4_bitmask(mask.raw));
+#else
     alignas(8) std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(D(), mask, bytes);
     return bytes[0];
+#endif
 }
 
 /// Values computed once a ray.

@@ -14,6 +14,7 @@
 #include "gw/fast/raster/primitive.h"
 #include "gw/fast/raster/setup.h"
 #include "gw/fast/simd/doubles-inl.h"
+#include "gw/fast/simd/lanes-inl.h"
 #include "gw/fast/vertices/geometry.h"
 #include "gw/profile.h"
 
@@ -190,8 +191,8 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
                                   hn::Mul(y.value, hn::Load(d, t.ay + i)));
         const auto base = hn::Add(hn::Add(hn::Mul(a0, all(65536)), all(32768)),
                                   hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
-        const auto corner = hn::ConvertTo(i64, base), gx = hn::ConvertTo(i64, x.value),
-                   gy = hn::ConvertTo(i64, y.value);
+        const auto corner = hn::ConvertTo(i64, base), gx = integers(x.value),
+                   gy = integers(y.value);
         const auto steps = [&](const std::int32_t* p) {
             return hn::PromoteTo(i64, hn::Load(I32ForD64(), p));
         };
@@ -201,9 +202,7 @@ HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& 
         hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
         hn::Store(gx, i64, out.gx + i);
         hn::Store(gy, i64, out.gy + i);
-        std::uint64_t bits = 0;
-        hn::StoreMaskBits(d, hn::And(x.sure, y.sure), reinterpret_cast<std::uint8_t*>(&bits));
-        out.sure |= (std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1)) << i;
+        out.sure |= bits_of(d, hn::And(x.sure, y.sure), hn::Lanes(d)) << i;
     }
 }
 

@@ -90,9 +90,7 @@ HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
     auto finite = hn::Eq(hn::Sub(v.at[0], v.at[0]), zero);
     for (std::size_t k = 1; k < 3; ++k)
         finite = hn::And(finite, hn::Eq(hn::Sub(v.at[k], v.at[k]), zero));
-    std::uint64_t bits = 0;
-    hn::StoreMaskBits(d, finite, reinterpret_cast<std::uint8_t*>(&bits));
-    return std::uint32_t(bits) & ((1u << hn::Lanes(d)) - 1);
+    return bits_of(d, finite, hn::Lanes(d));
 }
 
 HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_capacity],

@@ -32,6 +32,12 @@ V nearest(V v) {
     const auto magic = hn::Set(hn::DFromV<V>(), 0x1.8p52);
     return hn::Sub(hn::Add(v, magic), magic);
 }
+/// The integer v; |v| below 2^51.
+inline hn::Vec<hn::Rebind<std::int64_t, D64>> integers(V64 v) {
+    const hn::Rebind<std::int64_t, D64> d;
+    const auto magic = all(0x1.8p52);
+    return hn::Sub(hn::BitCast(d, hn::Add(v, magic)), hn::BitCast(d, magic));
+}
 /// v if v > 0, else 0 (NaN too).
 template <class V>
 V positive(V v) {

@@ -45,7 +45,15 @@ HWY_INLINE hn::Mask<D> lanes_of(D d, std::uint32_t mask, std::size_t first) {
 template <class D>
 HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
     std::uint64_t bits = 0;
+#if HWY_TARGET == HWY_WASM  // Highway before 1.1 goes through memory
+    constexpr std::size_t size = sizeof(hn::TFromD<D>);
+    bits = std::uint64_t(size == 1   ? wasm_i8x16_bitmask(m.raw)
+                         : size == 2 ? wasm_i16x8_bitmask(m.raw)
+                         : size == 4 ? wasm_i32x4_bitmask(m.raw)
+                                     : wasm_i64x2_bitmask(m.raw));
+#else
     hn::StoreMaskBits(d, m, reinterpret_cast<std::uint8_t*>(&bits));
+#endif
     return static_cast<std::uint32_t>(bits) & ((1u << lanes) - 1);
 }
 

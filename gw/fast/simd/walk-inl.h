@@ -30,15 +30,21 @@ struct LaneSet {
     M32 part[parts];
 
     HWY_INLINE bool none() const {
-        bool empty = true;
-        for (std::size_t i = 0; i < parts; ++i) empty = empty && hn::AllFalse(D32(), part[i]);
-        return empty;
+        M32 any = part[0];
+        for (std::size_t i = 1; i < parts; ++i) any = hn::Or(any, part[i]);
+        return hn::AllFalse(D32(), any);
     }
     HWY_INLINE std::uint32_t bits() const {
+#if HWY_TARGET == HWY_WASM  // narrowed to one vector, a byte a lane
+        return wasm_i8x16_bitmask(
+            wasm_i8x16_narrow_i16x8(wasm_i16x8_narrow_i32x4(part[0].raw, part[1].raw),
+                                    wasm_i16x8_narrow_i32x4(part[2].raw, part[3].raw)));
+#else
         std::uint32_t mask = 0;
         for (std::size_t i = 0; i < parts; ++i)
             mask |= bits_of(D32(), part[i], lanes32) << (i * lanes32);
         return mask;
+#endif
     }
 };
 
@@ -68,7 +74,11 @@ struct LaneCounter {
     }
     HWY_INLINE void add(const LaneSet& s) {
         for (std::size_t i = 0; i < parts; ++i)
+#if HWY_TARGET <= HWY_AVX3
             count[i] = hn::IfThenElse(s.part[i], hn::Add(count[i], hn::Set(D32(), 1u)), count[i]);
+#else  // a lane of the mask is 0 or -1
+            count[i] = hn::Sub(count[i], hn::VecFromMask(D32(), s.part[i]));
+#endif
     }
     HWY_INLINE void add(AllLanes) { whole += 1; }
     HWY_INLINE void add(const LaneCounter& other) {
