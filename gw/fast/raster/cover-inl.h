@@ -44,12 +44,12 @@ struct EdgeWalk {
     }
     /// Lanes whose centres are inside all three edges.
     HWY_INLINE LaneSet covered() const {
-        return inside([&](std::size_t k, std::size_t part) { return edge[k].at[part]; });
+        return inside([&](std::size_t k, std::size_t part) { return edge[k].at(part); });
     }
     /// Coverage of any block, from edge values at its corner.
     HWY_INLINE LaneSet covered(const SquareEdges& blocks, std::size_t block) const {
         return inside([&](std::size_t k, std::size_t part) {
-            return hn::Add(hn::Set(D32(), blocks.at[k][block]), edge[k].lanes.lane[part]);
+            return edge[k].lanes.above(blocks.at[k][block], part);
         });
     }
 

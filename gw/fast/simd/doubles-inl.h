@@ -38,6 +38,12 @@ inline hn::Vec<hn::Rebind<std::int64_t, D64>> integers(V64 v) {
     const auto magic = all(0x1.8p52);
     return hn::Sub(hn::BitCast(d, hn::Add(v, magic)), hn::BitCast(d, magic));
 }
+/// Its reverse.
+inline V64 doubles(hn::Vec<hn::Rebind<std::int64_t, D64>> v) {
+    const hn::Rebind<std::int64_t, D64> d;
+    const auto magic = all(0x1.8p52);
+    return hn::Sub(hn::BitCast(D64(), hn::Add(v, hn::BitCast(d, magic))), magic);
+}
 /// v if v > 0, else 0 (NaN too).
 template <class V>
 V positive(V v) {

@@ -109,18 +109,24 @@ struct LinearLanes {
             lane[i] = hn::Add(hn::Mul(x, hn::Load(d, lane_x + i * lanes32)),
                               hn::Mul(y, hn::Load(d, lane_y + i * lanes32)));
     }
+    /// At the block's lowest pixel.
+    HWY_INLINE std::uint32_t corner(int bx, int by) const {
+        return c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side);
+    }
+    HWY_INLINE V32 above(std::uint32_t corner_value, std::size_t part) const {
+        return hn::Add(hn::Set(D32(), corner_value), lane[part]);
+    }
     HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
-        const std::uint32_t corner =
-            c + gx * std::uint32_t(bx * block_side) + gy * std::uint32_t(by * block_side);
-        return hn::Add(hn::Set(D32(), corner), lane[part]);
+        return above(corner(bx, by), part);
     }
 };
 
 /// The same function at a moving block. aim() sets the function, start() the block; next_block()
 /// and next_row() step through a range.
 struct Linear {
+#if HWY_MAX_BYTES >= 32
     LinearLanes lanes;
-    V32 at[parts], row[parts], right, up;
+    V32 now[parts], row[parts], right, up;
 
     HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
         const D32 d;
@@ -129,17 +135,31 @@ struct Linear {
         up = hn::Set(d, gy * std::uint32_t(block_side));
     }
     HWY_INLINE void start(int bx, int by) {
-        for (std::size_t i = 0; i < parts; ++i) at[i] = lanes.at(bx, by, i);
+        for (std::size_t i = 0; i < parts; ++i) now[i] = lanes.at(bx, by, i);
     }
     HWY_INLINE void start_rows(int bx, int by) {
-        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = lanes.at(bx, by, i);
+        for (std::size_t i = 0; i < parts; ++i) now[i] = row[i] = lanes.at(bx, by, i);
     }
     HWY_INLINE void next_block() {
-        for (auto& part : at) part = hn::Add(part, right);
+        for (auto& part : now) part = hn::Add(part, right);
     }
     HWY_INLINE void next_row() {
-        for (std::size_t i = 0; i < parts; ++i) at[i] = row[i] = hn::Add(row[i], up);
+        for (std::size_t i = 0; i < parts; ++i) now[i] = row[i] = hn::Add(row[i], up);
     }
+    HWY_INLINE V32 at(std::size_t part) const { return now[part]; }
+#else  // four vectors a block: stepping its lowest pixel costs less
+    LinearLanes lanes;
+    std::uint32_t now, row;
+
+    HWY_INLINE void aim(std::uint32_t c, std::uint32_t gx, std::uint32_t gy) {
+        lanes.aim(c, gx, gy);
+    }
+    HWY_INLINE void start(int bx, int by) { now = lanes.corner(bx, by); }
+    HWY_INLINE void start_rows(int bx, int by) { now = row = lanes.corner(bx, by); }
+    HWY_INLINE void next_block() { now += lanes.gx * std::uint32_t(block_side); }
+    HWY_INLINE void next_row() { now = row += lanes.gy * std::uint32_t(block_side); }
+    HWY_INLINE V32 at(std::size_t part) const { return lanes.above(now, part); }
+#endif
 };
 
 /// A value of up to 32 bits, as in wide_plane(), in two halves that are each linear.
@@ -165,7 +185,7 @@ struct WidePlaneWalk : WideHalves<Linear> {
     HWY_INLINE void next_block() { high.next_block(), low.next_block(); }
     HWY_INLINE void next_row() { high.next_row(), low.next_row(); }
     HWY_INLINE V32 at(std::size_t part) const {
-        return hn::Add(high.at[part], hn::ShiftRight<16>(low.at[part]));
+        return hn::Add(high.at(part), hn::ShiftRight<16>(low.at(part)));
     }
 };
 

@@ -81,10 +81,9 @@ inline SumLanes log_as_sum(V64 x) {
     constexpr double terms[] = {2 / 3.0, 2 / 5.0, 2 / 7.0, 2 / 9.0, 2 / 11.0};
     const auto square = hn::Mul(s.hi, s.hi);
     const auto tail = hn::Mul(hn::Mul(s.hi, square), polynomial(square, terms));
-    const SumLanes node =
-        node_at(elementary::log_node,
-                hn::Sub(hn::ConvertTo(i64, scaled), hn::Set(i64, elementary::first_log_node)));
-    const auto times = hn::ConvertTo(D64(), k);
+    const SumLanes node = node_at(
+        elementary::log_node, hn::Sub(integers(scaled), hn::Set(i64, elementary::first_log_node)));
+    const auto times = doubles(k);
     const SumLanes sum =
         two_sum(hn::Add(hn::Mul(times, all(elementary::ln2.hi)), node.hi), hn::Mul(all(2), s.hi));
     const auto low =
@@ -101,7 +100,7 @@ inline V64 exp_of_sum(const SumLanes& x) {
     constexpr double terms[] = {1 / 2.0, 1 / 6.0, 1 / 24.0, 1 / 120.0, 1 / 720.0};
     const auto p = hn::Add(r, hn::Mul(hn::Mul(r, r), polynomial(r, terms)));
 
-    const auto whole = hn::ConvertTo(i64, k), index = hn::And(whole, hn::Set(i64, 63));
+    const auto whole = integers(k), index = hn::And(whole, hn::Set(i64, 63));
     const SumLanes node = node_at(elementary::exp2_node, index);
     const auto value = hn::Add(node.hi, hn::Add(node.lo, hn::Mul(node.hi, p)));
     // scale(): below 2^-1022 in two steps.

@@ -71,13 +71,14 @@ void record_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin,
         const DepthPlane plane = depth_of(draw, t, i);
         DepthWalk walk(plane, max_of_bits(draw.profile->depth_bits));
         const std::size_t before = record.blocks.size();
-        LargeTriangle::visit(box, t, i, walk, [&](int bx, int by, const LaneSet& lanes) {
+        const auto visit = [&](int bx, int by, const LaneSet& lanes) {
             const std::size_t block = draw.tile.block(bx, by);
             DepthBlock depth;
             walk.store(depth);
             count.add(block, lanes);
             keep(record, block, visible_lanes(draw, depth, block, lanes.bits()));
-        });
+        };
+        by_size(t, i, [&]<class Size>(Size) { Size::visit(box, t, i, walk, visit); });
         keep_primitive(record, bin[i], before);
     }
 }
