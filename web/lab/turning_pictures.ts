@@ -6,7 +6,7 @@ import type { PassesOptions } from './machine/protocol';
 export interface Turned {
   /** By eq. 1. None: the machine cannot. */
   readonly one: Uint8Array | undefined;
-  readonly many: Uint8Array;
+  readonly many: Uint8Array | undefined;
 }
 
 export class TurningPictures {

@@ -238,6 +238,7 @@ export const ja: Words = {
   lab_level_pixel: '画素',
   lab_eq1: '式1：すべてを1パスで',
   lab_eq2: '式2：パス {0}/{1} までの和',
+  lab_eq2_all: '式2：すべてのパスの和',
   lab_only_change: '変化だけ',
   lab_this_pass: 'このパス',
   lab_so_far: 'ここまで',
