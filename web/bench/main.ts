@@ -5,8 +5,9 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { build } from 'esbuild';
-import puppeteer, { type Browser, type Page } from 'puppeteer-core';
+import puppeteer, { type Browser } from 'puppeteer-core';
 import type { Machine } from '../lab/machine/machine';
+import { workerTime } from './processor_time';
 import type { Frame, WebGlPlayer } from './webgl';
 
 const lab = process.env['GW_LAB'] ?? '../build/lab/index.html';
@@ -16,6 +17,7 @@ const pictures = 12;
 interface BenchWindow {
   machine: Machine;
   peer: { WebGlPlayer: typeof WebGlPlayer };
+  workerTime(): Promise<number>;
 }
 interface Workload {
   name: string;
@@ -135,14 +137,17 @@ async function inTurns(
   return { ours, peer: theirs, difference, by: player.renderer, seen };
 }
 
-/** In the page. Pictures a second from two engines, as the exhibit of passes turns the eye. */
+/**
+ * In the page. Pictures a second from two engines, as the exhibit of passes turns the eye, and the
+ * processor's milliseconds for one.
+ */
 async function byTwo(
   { scene, renderer, reflections }: Workload,
   width: number,
   height: number,
   count: number,
-): Promise<number> {
-  const { machine } = window as unknown as BenchWindow;
+): Promise<{ rate: number; processor: number }> {
+  const { machine, workerTime: time } = window as unknown as BenchWindow;
   const { eye, at, up } = await machine.ask('open', `/scenes/${scene}.toml`);
   const twin = machine.twin();
   const size = { width, height, profile: 'vgx', renderer, reflections };
@@ -153,14 +158,18 @@ async function byTwo(
   const turn = async (by: Machine): Promise<void> => {
     while (next < count + 2) await draw(by, next++);
   };
+  const before = await time();
   const begun = performance.now();
   await Promise.all([turn(machine), turn(twin)]);
   const seconds = (performance.now() - begun) / 1000;
+  const processor = ((await time()) - before) / count;
   twin.end();
-  return count / seconds;
+  return { rate: count / seconds, processor };
 }
 
-async function measureFrames(page: Page): Promise<void> {
+async function measureFrames(browser: Browser): Promise<void> {
+  const page = await browser.newPage();
+  await page.exposeFunction('workerTime', () => workerTime(browser.process()!.pid!));
   const bundle = await build({
     entryPoints: [fileURLToPath(new URL('webgl.ts', import.meta.url))],
     bundle: true,
@@ -180,7 +189,7 @@ async function measureFrames(page: Page): Promise<void> {
     writeFileSync(join(frames, png), Buffer.from(run.seen, 'base64'));
     console.log(
       `${workload.name}: lab ${ours.toFixed(0)} ms (${(1000 / ours).toFixed(1)} pictures a second, ` +
-        `fastest ${run.ours[0]!.toFixed(0)} ms; two engines ${two.toFixed(1)} a second), WebGL ${peer.toFixed(1)} ms, ` +
+        `fastest ${run.ours[0]!.toFixed(0)} ms; two engines ${two.rate.toFixed(1)} a second, ${two.processor.toFixed(0)} ms of the processor each), WebGL ${peer.toFixed(1)} ms, ` +
         `ratio ${(ours / peer).toFixed(1)}; mean difference ${run.difference.toFixed(2)} of 255; ${run.by}`,
     );
   }
@@ -209,7 +218,7 @@ async function firstPicture(hash: string): Promise<number> {
 }
 
 const browser = await launch(...swiftShader);
-await measureFrames(await browser.newPage());
+await measureFrames(browser);
 await browser.close();
 for (const exhibit of ['hidden', 'pixel', 'passes', 'rays', 'radiosity']) {
   const times: number[] = [];
