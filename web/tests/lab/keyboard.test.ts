@@ -134,6 +134,10 @@ it('shoots, and turns the lit room', async () => {
   await open('#lang=en&size=64x48&exhibit=radiosity');
   await thePage().waitForSelector('.stack');
   await changes('shots', () => keys('ArrowRight'));
+  await tabTo('.play');
+  await changes('shots', () => keys('Enter'));
+  await keys('Enter');
+  await thePage().waitForSelector('.play:focus');
   await tabTo('.stack');
   await thePage().keyboard.down('Alt');
   await changes('eye', () => keys('ArrowLeft'));
