@@ -114,7 +114,7 @@ void Drawable::flush(Cause cause) {
         log->executed(*this, {list, calls, cause, sum});
     }
     machine_->reset_passes();
-    list.commands.clear();
+    list.commands.clear();  // the memory is for the next frame
     calls.clear();
     frame_ = std::move(list);
     frame_calls_ = std::move(calls);
