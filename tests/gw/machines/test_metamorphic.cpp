@@ -160,7 +160,8 @@ TEST(Metamorphic, StateThatIsSwitchedOffDoesNotMatter) {
             CommandList disturbed = c.list;
             Random r(i);
             for (Command& command : disturbed.commands)
-                if (auto* set = std::get_if<SetState>(&command)) disturb_unused(r, c, set->state.edit());
+                if (auto* set = std::get_if<SetState>(&command))
+                    disturb_unused(r, c, set->state.edit());
             ASSERT_EQ(difference(*run(c, c.list), *run(c, disturbed)), "")
                 << suite.name << " " << i;
         }
