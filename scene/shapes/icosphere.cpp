@@ -66,7 +66,7 @@ double turn(const dvec3& p) {
 
 // s of a triangle's corners. One turn is added to corners beyond the seam; a pole lies between the
 // two others.
-std::array<double, 3> turns(const std::array<dvec3, 3>& p) {
+std::array<double, 3> corner_turns(const std::array<dvec3, 3>& p) {
     std::array<double, 3> s{turn(p[0]), turn(p[1]), turn(p[2])};
     double most = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -89,7 +89,7 @@ MeshData make_icosphere(double radius, int divisions) {
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> vertices;  // by point and s
     for (const Corners& corners : net.triangles) {
         const auto s =
-            turns({net.points[corners[0]], net.points[corners[1]], net.points[corners[2]]});
+            corner_turns({net.points[corners[0]], net.points[corners[1]], net.points[corners[2]]});
         for (std::size_t k = 0; k < 3; ++k) {
             const dvec3& p = net.points[corners[k]];
             const auto next = static_cast<std::uint32_t>(mesh.positions.size());
