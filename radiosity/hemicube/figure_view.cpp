@@ -26,8 +26,8 @@ InFace in_face(const dvec3& p) {
 
 }  // namespace
 
-FigureView view_of(const PixmapModel& model, const PlaneFigure& figure, const Hemicube& hemicube) {
-    const Facet& facet = model.facets[figure.facet];
+FigureView view_without_sides(const PixmapModel& model, const Facet& facet,
+                              const Hemicube& hemicube) {
     const scene::View& top = hemicube.views[0];
     FigureView view;
     const double unit = 1 / model.extent;
@@ -37,6 +37,11 @@ FigureView view_of(const PixmapModel& model, const PlaneFigure& figure, const He
     const double height = (dot3(facet.normal, hemicube.position) - facet.offset) * unit;
     view.depth = facet.texel_area * unit * unit * height;
     view.flux = view.depth / pi;
+    return view;
+}
+
+FigureView view_of(const PixmapModel& model, const PlaneFigure& figure, const Hemicube& hemicube) {
+    FigureView view = view_without_sides(model, model.facets[figure.facet], hemicube);
     dvec2 middle(0);
     for (const dvec2& corner : figure.outline) middle += corner / double(figure.outline.size());
     for (std::size_t i = 0; i < figure.outline.size(); ++i) {

@@ -27,6 +27,8 @@ struct FigureView {
 };
 
 FigureView view_of(const PixmapModel& model, const PlaneFigure& figure, const Hemicube& hemicube);
+FigureView view_without_sides(const PixmapModel& model, const Facet& facet,
+                              const Hemicube& hemicube);
 
 /// The distance of p from the point along the axis of the face that sees it.
 inline double distance_in_face(const dvec3& p) {

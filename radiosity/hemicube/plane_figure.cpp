@@ -43,6 +43,14 @@ bool is_whole(const PlaneFigure& figure, int u, int v) {
     return true;
 }
 
+double radius_of_bounds(const Facet& facet) {
+    double radius = 0;
+    for (const dvec2& corner : {facet.low, dvec2(facet.high.x, facet.low.y), facet.high,
+                                dvec2(facet.low.x, facet.high.y)})
+        radius = std::max(radius, length(facet.at(corner) - facet.center));
+    return radius;
+}
+
 void find_cuts(PlaneFigure& figure) {
     constexpr double little = 1e-9;
     for (int v = figure.first.y; v < figure.end.y; ++v)
@@ -82,6 +90,7 @@ std::vector<std::optional<PlaneFigure>> plane_figures(const PixmapModel& model) 
         };
         figure.first = {first(facet.low.x), first(facet.low.y)};
         figure.end = {end(facet.high.x, pixmap.width), end(facet.high.y, pixmap.height)};
+        figure.radius = radius_of_bounds(facet);
         find_cuts(figure);
         figures[i] = std::move(figure);
     }

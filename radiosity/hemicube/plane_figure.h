@@ -25,6 +25,8 @@ struct PlaneFigure {
     std::vector<dvec2> outline;  ///< in texels, counterclockwise, at most most_corners
     ivec2 first{0}, end{0};      ///< texels that it touches, columns and rows
     std::vector<Cut> cuts;       ///< of these, row by row
+    /// of a sphere around Facet::center that contains the facet's bounds in texels
+    double radius = 0;
 
     int width() const { return end.x - first.x; }
 };

@@ -109,8 +109,8 @@ struct Builder {
 
     /// Counter-clockwise from the lowest vertex; of equally low ones, from the leftmost. Without
     /// branches, because they would be unpredictable. Precondition: the three points differ.
-    std::array<std::uint32_t, 3> canonical(const std::array<std::uint32_t, 3>& v,
-                                           bool clockwise) const {
+    [[gnu::always_inline]] std::array<std::uint32_t, 3> canonical(
+        const std::array<std::uint32_t, 3>& v, bool clockwise) const {
         const std::array<std::uint32_t, 5> turned{v[0], v[clockwise ? 2 : 1], v[clockwise ? 1 : 2],
                                                   v[0], v[clockwise ? 2 : 1]};
         std::array<std::int64_t, 3> key;
