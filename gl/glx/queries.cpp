@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 
 namespace {
 
@@ -77,7 +78,7 @@ GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
     return caught([&]() -> GLXFBConfig* {
         std::vector<Config*> all;
         for (Config& config : configs_of(display, screen)) all.push_back(&config);
-        std::ranges::stable_partition(all, &Config::double_buffered);
+        std::stable_partition(all.begin(), all.end(), std::mem_fn(&Config::double_buffered));
         return array_of(all, count);
     });
 }

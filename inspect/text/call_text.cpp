@@ -54,8 +54,10 @@ CallWords words_of(const CallTable& table, const CallRun& run, const Command& co
 
 /// The runs of a command.
 std::span<const CallRun> runs_of(const CallTable& table, std::uint32_t command) {
-    const auto found = std::ranges::equal_range(table.runs, command, {}, &CallRun::command);
-    return {found.begin(), found.end()};
+    const auto first = std::ranges::lower_bound(table.runs, command, {}, &CallRun::command),
+               end = std::ranges::upper_bound(table.runs, command, {}, &CallRun::command);
+    return std::span(table.runs)
+        .subspan(std::size_t(first - table.runs.begin()), std::size_t(end - first));
 }
 
 }  // namespace

@@ -27,13 +27,6 @@ constexpr To bit_cast(const From& from) noexcept {
 #ifndef __cpp_lib_ranges
 namespace std::ranges {
 
-template <class T>
-struct pointers {
-    T *first, *last;
-    T* begin() const { return first; }
-    T* end() const { return last; }
-};
-
 template <class Range, class Value, class Projection = std::identity>
 auto find(Range&& range, const Value& value, Projection projection = {}) {
     return std::find_if(std::begin(range), std::end(range),
@@ -82,15 +75,12 @@ auto upper_bound(const Range& range, const Value& value, std::ranges::less = {},
         std::begin(range), std::end(range), value,
         [&](const Value& v, const auto& e) { return v < std::invoke(projection, e); });
 }
-template <class Range, class Value, class Projection>
-auto equal_range(const Range& range, const Value& value, std::ranges::less, Projection projection) {
-    const auto* const begin = std::data(range);
-    const auto* const end = begin + std::size(range);
-    const auto* const first = std::partition_point(
-        begin, end, [&](const auto& e) { return std::invoke(projection, e) < value; });
-    const auto* const last = std::partition_point(
-        first, end, [&](const auto& e) { return !(value < std::invoke(projection, e)); });
-    return pointers<std::remove_pointer_t<decltype(begin)>>{first, last};
+template <class Range, class Value, class Projection = std::identity>
+auto lower_bound(const Range& range, const Value& value, std::ranges::less = {},
+                 Projection projection = {}) {
+    return std::lower_bound(
+        std::begin(range), std::end(range), value,
+        [&](const auto& e, const Value& v) { return std::invoke(projection, e) < v; });
 }
 
 }  // namespace std::ranges
