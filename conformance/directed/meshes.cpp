@@ -31,7 +31,6 @@ MeshRef any_mesh_of(Random& r, const Frame& f, Primitive primitive) {
     MeshData data{.primitive = primitive};
     const bool indexed = r.chance(50);
     const int positions = indexed ? r.between(4, 9) : int(corners);
-    const MeshWish wish;
     for (int i = 0; i < positions; ++i) {
         const double x = any_coordinate(r, f.width, f.subpixel_bits);
         const double y = any_coordinate(r, f.height, f.subpixel_bits);

@@ -113,8 +113,8 @@ void DisplayList::add(Function function, const Values&... values) {
         list_alignment + (sizeof(Kept) + list_alignment - 1) / list_alignment * list_alignment;
     std::byte* const at = append(size);
     std::construct_at(reinterpret_cast<Kept*>(at + list_alignment), values...);
-    std::construct_at(reinterpret_cast<Header*>(at), &listed_operations<kind, execute, Kept>,
-                      std::uint32_t(size), function);
+    std::construct_at(reinterpret_cast<Header*>(at), Header{&listed_operations<kind, execute, Kept>,
+                                                            std::uint32_t(size), function});
 }
 
 /// The names of lists, and the lists. Contexts may share them.

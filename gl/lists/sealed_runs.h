@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
+#include "gl/context/call_trace.h"
 #include "gl/draw/mesh.h"
 #include "gl/lists/display_list.h"
 

@@ -121,7 +121,7 @@ const Change changes[] = {
          s.texture.coordinates[0] = {CoordinateMode::ObjectLinear, {1, 2, 3, 4}};
      }},
     {"draw: current values", [](State&) {},
-     [](Draw& d) { d.current = std::make_shared<const CurrentValues>(vec4(0.5f)); }},
+     [](Draw& d) { d.current = std::make_shared<const CurrentValues>(CurrentValues{vec4(0.5f)}); }},
     {"draw: no map", [](State&) {}, [](Draw& d) { d.map = {}; }},
     {"draw: material", [](State& s) { s.color_source = ColorSource::Lighting; },
      [](Draw& d) { d.material = {.Ka = vec3(1), .Ks = vec3(1), .Ns = 30, .alpha = 0}; }},
