@@ -46,7 +46,7 @@ void add_computation(CLI::App& command, RadiosityOptions& o) {
     add_whole(command, "--shots", o.shots, 0, 1000000000,
               "Shots in all (default: as many as --until takes)");
     add_number(command, "--until", o.until, 1e-9, 1, "SHARE",
-               "Go on until this share of the emitted energy is unshot (default 0.01)");
+               "Go on until this share of the emitted energy is unshot (default 0.0001)");
     command
         .add_option_function<std::string>(
             "--hemicube",

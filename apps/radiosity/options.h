@@ -24,7 +24,7 @@ struct RadiosityOptions {
     radiosity::ModelOptions model;
     radiosity::SolverOptions solver;
     int shots = -1;       ///< in total; -1: as many as `until` takes
-    double until = 0.01;  ///< the unshot share that ends shooting
+    double until = 1e-4;  ///< the unshot share that ends shooting
     int every = 0;        ///< a picture after each `every` shots; 0: none
     bool save = false, resume = false, record = false;
     std::string display = "texture";             ///< texture, strips or both

@@ -103,10 +103,6 @@ std::vector<Row> FormFactors::from_quarters(std::size_t patch) {
     return from(shooting_of(model_, model_.patches[patch], point_options(options_)), patch);
 }
 
-bool FormFactors::has_quarters(std::size_t patch) const {
-    return shooting_of(model_, model_.patches[patch], point_options(options_)).has_quarters;
-}
-
 Row FormFactors::from_points(const std::vector<ShootPoint>& points, std::uint64_t turns) {
     return from({.points = points, .near_parts = {}}, turns).front();
 }

@@ -53,7 +53,6 @@ public:
     /// Of the patch's quarters; one row if it has none (Shooting). All light goes somewhere in the
     /// mean over the quarters. One alone may add up to a little more or less than 1.
     std::vector<Row> from_quarters(std::size_t patch);
-    bool has_quarters(std::size_t patch) const;
     /// If the quarters send the same light. Each bit is as from_patch's.
     Row combined(const std::vector<Row>& quarters);
     /// From differential elements, each with its share of the whole. `turns`: a number that names

@@ -73,10 +73,11 @@ public:
     Update update(PixmapModel model, double tolerance = 0.002);
 
 private:
-    Row row_of(std::size_t patch, int* drawn);
-    std::vector<Row> quarters_of(std::size_t patch, int* drawn);
-    std::vector<dvec3> light_of_quarters(std::size_t patch, const dvec3& flux) const;
-    void receive(const Row& row, const dvec3& flux);
+    /// The rows are drawn if they are not kept, and valid until the next call.
+    const PatchRows& rows_of(std::size_t patch, int* drawn);
+    std::vector<dvec3> light_of_quarters(std::size_t patch) const;
+    void add_light(const PatchRows& rows, const std::vector<dvec3>& light);
+    void receive();
     dvec3 unshot_flux(const Patch& patch) const;
     dvec3 shot_flux(const Patch& patch) const;
     void change_materials(const PixmapModel& to);
@@ -98,6 +99,8 @@ private:
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;
     Rows rows_;
+    PatchRows drawn_;              ///< the last rows that were not kept when they were asked for
+    std::vector<dvec3> incoming_;  ///< flux to each element, in the shot in progress
 };
 
 }  // namespace gw::radiosity

@@ -210,20 +210,30 @@ Update Solver::begin_again(PixmapModel to) {
     return {.anew = true};
 }
 
+namespace {
+
+/// A patch's quarters have sent different light, but only its sum is known.
+std::vector<dvec3> evenly(const dvec3& flux, std::size_t rows) {
+    return std::vector(rows, flux / double(rows));
+}
+
+}  // namespace
+
 // Takes a patch's light back with its old form factors and sends it with the new ones in one step:
 // the books balance even if this is canceled.
 void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next, Rows& kept,
                        Update& done) {
     for (const Affected& a : affected) {
-        const Row before = row_of(a.patch, &done.hemicubes);
-        Row now = next.from_patch(a.patch);
-        receive(before, -a.flux);
-        receive(now, a.flux);
-        done.hemicubes += now.hemicubes;
+        const std::vector<Row> drawn = next.from_quarters(a.patch);
+        const PatchRows now = compact(drawn);
+        const PatchRows& before = rows_of(a.patch, &done.hemicubes);
+        add_light(before, evenly(-a.flux, before.size()));
+        add_light(now, evenly(a.flux, now.size()));
+        receive();
+        for (const Row& row : drawn) done.hemicubes += row.hemicubes;
         ++done.patches;
         rows_.drop(a.patch);
-        kept.keep(a.patch, {std::move(now)},
-                  options_.row_memory - std::min(options_.row_memory, rows_.bytes()));
+        kept.keep(a.patch, now, options_.row_memory - std::min(options_.row_memory, rows_.bytes()));
     }
 }
 

@@ -46,7 +46,7 @@ std::pair<double, double> solved(const scene::Scene& scene, double texels, int h
                                  float rho) {
     Solver solver(make_model(scene, {.texels_per_unit = texels}),
                   {.form_factors = {.hemicube = hemicube}});
-    while (books(solver.model(), solver.solution()).unshot_share() > 2e-4) solver.shoot();
+    while (books(solver.model(), solver.solution()).unshot_share() > 1e-5) solver.shoot();
     std::pair<double, double> range{1e9, 0};
     for (std::size_t t = 0; t < solver.model().texel_count(); ++t) {
         if (solver.model().area[t] == 0) continue;

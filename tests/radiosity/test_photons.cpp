@@ -46,7 +46,7 @@ TEST(Photons, CornellBoxIsWithinOnePercentAndTheBlocksSidesWithinTwo) {
     const scene::Scene scene =
         scene::read_scene(GW_SOURCE_DIR "/scenes/radiosity/cornell.toml").scene;
     Solver solver(make_model(scene));
-    while (books(solver.model(), solver.solution()).unshot_share() > 0.001) solver.shoot();
+    while (books(solver.model(), solver.solution()).unshot_share() > 0.0001) solver.shoot();
     const auto reference = Photons(scene, solver.model()).trace(64, 40000);
     int compared = 0;
     for (std::size_t f = 0; f < reference.size(); ++f) {
