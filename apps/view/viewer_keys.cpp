@@ -31,7 +31,7 @@ std::vector<std::string> algorithm_choices() {
 }
 
 /// Unshot energy at which shooting rests.
-constexpr double dark_enough = 0.01;
+constexpr double dark_enough = 1e-4;
 
 }  // namespace
 
