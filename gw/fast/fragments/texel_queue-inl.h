@@ -64,17 +64,14 @@ HWY_NOINLINE inline void let_wait(BatchPlanes& planes, std::size_t i, int bx, in
     TextureLanes& at = planes.in.divided;
     divide_block(sampler_of(*planes.draw.op), planes.scratch.texture[i], planes.draw.tile, bx, by,
                  alive, at);
-    for (std::size_t first = 0; first < block_pixels; first += lanes32) {
-        const M32 lanes = lanes_of(D32(), alive, first);
-        const auto put = [&](auto d, const auto* from, auto* to) {
-            return hn::CompressStore(hn::Load(d, from + first), hn::RebindMask(d, lanes), d,
-                                     to + q.lanes);
-        };
-        put(F32(), at.u, q.u);
-        put(F32(), at.v, q.v);
-        put(F32(), at.rho, q.rho);
-        put(I32(), at.u_k, q.u_k);
-        q.lanes += put(I32(), at.v_k, q.v_k);
+    // Lane by lane: compressed stores of Highway copy a table on each call, if there is no AVX-512.
+    for (std::uint32_t rest = alive; rest != 0; rest &= rest - 1, ++q.lanes) {
+        const int lane = std::countr_zero(rest);
+        q.u[q.lanes] = at.u[lane];
+        q.v[q.lanes] = at.v[lane];
+        q.rho[q.lanes] = at.rho[lane];
+        q.u_k[q.lanes] = at.u_k[lane];
+        q.v_k[q.lanes] = at.v_k[lane];
     }
     q.blocks[q.count++] = {std::uint8_t(i), std::uint8_t(bx), std::uint8_t(by),
                            std::uint16_t(alive)};
