@@ -107,7 +107,10 @@ void Drawable::flush(Cause cause) {
     std::vector<CallRun> calls = std::exchange(frame_calls_, {});
     frame_vertices_ = 0;
     frame_bytes_ = 0;
+    // After an error, the machine's state is not known.
+    const auto last_state = std::exchange(last_state_, std::nullopt);
     machine_->execute(list);
+    last_state_ = last_state;
     if (log) {
         Counters sum;
         for (const PassReport& pass : machine_->passes()) sum += pass.counters;
