@@ -58,8 +58,8 @@ namespace execute {
 
 void begin(Context& c, GLenum mode) {
     Assembler& a = c.assembler;
-    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
     if (a.inside) return set_error(c, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
     const bool whole_strips = c.state.line.stipple || c.selection.mode == GL_FEEDBACK;
     if (!a.mesh.takes(mode, whole_strips)) flush_mesh(c);
     a.mesh.begin(mode, whole_strips);
