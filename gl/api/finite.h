@@ -1,6 +1,8 @@
 // Numbers of programs as numbers that the machine takes.
 #pragma once
 
+#include <glm/vec4.hpp>
+
 #include <limits>
 
 namespace gw::gl {
@@ -16,6 +18,13 @@ constexpr T clamped(T v, T low, T high) {
 constexpr double finite(double v) {
     constexpr double largest = double(std::numeric_limits<float>::max());
     return v != v ? 0.0 : clamped(v, -largest, largest);
+}
+
+/// The same of each component.
+template <glm::length_t n>
+glm::vec<n, double> finite(glm::vec<n, double> v) {
+    for (glm::length_t i = 0; i < n; ++i) v[i] = finite(v[i]);
+    return v;
 }
 
 }  // namespace gw::gl

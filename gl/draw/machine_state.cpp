@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gw::gl {
 
@@ -189,13 +190,15 @@ void set_texture(gw::State& out, const Context& c) {
 }
 
 void set_fog(gw::State& out, const FogState& s) {
-    out.fog.enable = s.enable;
+    out.fog.enable = s.enable && (s.mode == GL_LINEAR || s.density > 0);  // of density 0: none
     out.fog.mode = s.mode == GL_LINEAR ? FogMode::Linear
                    : s.mode == GL_EXP  ? FogMode::Exp
                                        : FogMode::Exp2;
     out.fog.density = s.density;
     out.fog.start = s.start;
     out.fog.end = s.end;
+    if (s.start == s.end)  // the limit of ever shorter ranges
+        out.fog.start = std::nextafter(s.end, -std::numeric_limits<float>::infinity());
     out.fog.color = s.color;
 }
 

@@ -53,11 +53,11 @@ void raster_pos(Context& c, double x, double y, double z, double w) {
     raster.position = {(vertex.clip.x / cw) * viewport.half_width + viewport.center_x,
                        (vertex.clip.y / cw) * viewport.half_height + viewport.center_y,
                        (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
-    raster.distance = std::abs(eye_depth(c, {x, y, z, w}));
+    raster.distance = finite(std::abs(eye_depth(c, {x, y, z, w})));
     const auto largest = float((1u << c.profile.color_bits) - 1);
     for (int i = 0; i < 4; ++i) {
         raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
-        raster.texcoord[i] = float(vertex.texcoord[i]);
+        raster.texcoord[i] = float(finite(vertex.texcoord[i]));
     }
     raster.index = c.state.current.index;
     report_depth(c, raster.position.z);

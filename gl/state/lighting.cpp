@@ -1,5 +1,6 @@
 // Lights, materials and the light model. [GL11] 2.13
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/api/values.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
@@ -19,10 +20,10 @@ namespace {
 /// The direction in eye space, by the upper 3x3 of the modelview matrix.
 vec3 direction_in_eye(const Context& c, const Params& p) {
     const dvec3 d = transform3(dmat3(c.matrices.modelview.top()), dvec3(p[0], p[1], p[2]));
-    return vec3(d);
+    return vec3(finite(d));
 }
 vec4 position_in_eye(const Context& c, const Params& p) {
-    return vec4(transform(c.matrices.modelview.top(), dvec4(p[0], p[1], p[2], p[3])));
+    return vec4(finite(transform(c.matrices.modelview.top(), dvec4(p[0], p[1], p[2], p[3]))));
 }
 
 void set_attenuation(Context& c, float& field, double value) {

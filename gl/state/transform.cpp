@@ -44,7 +44,7 @@ dvec4 plane_in_eye(const Context& c, const Params& p) {
     const dmat4 inverse = inverted(c.matrices.modelview.top());
     dvec4 out;
     for (int i = 0; i < 4; ++i) out[i] = dot4(plane, inverse[i]);
-    return out;
+    return finite(out);
 }
 
 bool is_eye_or_object_plane(GLenum pname) {

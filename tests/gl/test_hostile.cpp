@@ -152,6 +152,56 @@ TEST(GlHostile, NumbersThatAreNoNumbersDrawNothing) {
     expect_works(window);
 }
 
+/// Products that leave float, and for clip planes double.
+TEST(GlHostile, WhatMatricesTakeBeyondTheNumbersIsDrawnWith) {
+    const Window window;
+    for (int i = 0; i < 8; ++i) glScaled(1e-38, 1, 1);
+    const GLdouble plane[] = {1e38, 0, 0, 0};
+    glClipPlane(GL_CLIP_PLANE0, plane);
+    glTexGendv(GL_S, GL_EYE_PLANE, plane);
+    glLoadIdentity();
+    glScaled(1e38, 1e38, 1e38);
+    const GLfloat far_away[] = {1e38f, 1e38f, 1e38f, 1};
+    glLightfv(GL_LIGHT0, GL_POSITION, far_away);
+    glLightfv(GL_LIGHT0, GL_SPOT_DIRECTION, far_away);
+    glLoadIdentity();
+    glMatrixMode(GL_TEXTURE);
+    glScaled(1e38, 1e38, 1e38);
+    glTexCoord2f(1e38f, 1e38f);
+    glMatrixMode(GL_MODELVIEW);
+    glRasterPos2f(0, 0);
+
+    glClearColor(1, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const GLenum what : {GL_LIGHTING, GL_LIGHT0, GL_TEXTURE_GEN_S}) glEnable(what);
+    point_at(2);
+    const GLubyte bits = 0xFF;
+    glBitmap(8, 1, 0, 0, 0, 0, &bits);
+    EXPECT_EQ(window.pixel(5, 5), (std::array<GLubyte, 4>{255, 0, 0, 255}));
+}
+
+TEST(GlHostile, FogOfNoDensityOrNoRangeIsDrawn) {
+    const Window window;
+    const GLfloat blue[] = {0, 0, 1, 1};
+    glFogfv(GL_FOG_COLOR, blue);
+    glEnable(GL_FOG);
+    glClearColor(1, 0, 0, 1);
+    const auto drawn_with = [&](GLenum mode, GLenum name, GLfloat value) {
+        glFogi(GL_FOG_MODE, GLint(mode));
+        glFogf(name, value);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glRectf(-1, -1, 1, 1);
+        return window.pixel(5, 5);
+    };
+    constexpr std::array<GLubyte, 4> white{255, 255, 255, 255}, fog{0, 0, 255, 255};
+    EXPECT_EQ(drawn_with(GL_EXP, GL_FOG_DENSITY, 0), white);
+    EXPECT_EQ(drawn_with(GL_EXP2, GL_FOG_DENSITY, 0), white);
+    glFogf(GL_FOG_START, 1);
+    EXPECT_EQ(drawn_with(GL_LINEAR, GL_FOG_END, 1), white);
+    glFogf(GL_FOG_START, 0);
+    EXPECT_EQ(drawn_with(GL_LINEAR, GL_FOG_END, 0), fog);
+}
+
 TEST(GlHostile, ElementsOfNoArraysHaveAnyNumber) {
     const Window window;
     glDrawArrays(GL_POINTS, largest, 3);
