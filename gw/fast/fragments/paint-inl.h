@@ -23,18 +23,26 @@ struct NoPaint {
     HWY_INLINE void operator()(int, int, AllLanes) const {}
 };
 
-/// Stores a part of a block's lanes: value(channel).
-template <class Value>
-HWY_INLINE void store_part(const SimpleStore& store, int bx, int by, std::uint32_t alive,
-                           std::size_t part, const Value& value) {
-    const Half16 d;
-    const auto lanes = lanes_of(d, alive, part * lanes32);
-    ColorBlock& stored = store.tile.color[store.tile.block(bx, by)];
-    for (std::size_t c = 0; c < 4; ++c) {
-        std::uint16_t* to = stored.channel[c] + part * lanes32;
-        store_lanes(store.result(d, narrow(value(c)), to), lanes, d, to);
+/// Stores a block's lanes, part by part.
+struct PartStore {
+    const SimpleStore& store;
+    ColorBlock& block;
+    hn::Mask<Half16> lanes[parts];
+    bool is_plain;  ///< all lanes are stored as they are
+
+    HWY_INLINE PartStore(const SimpleStore& s, int bx, int by, std::uint32_t alive)
+        : store(s),
+          block(s.tile.color[s.tile.block(bx, by)]),
+          is_plain(alive == all_lanes && !s.adds) {
+        for (std::size_t i = 0; i < parts; ++i) lanes[i] = lanes_of(Half16(), alive, i * lanes32);
     }
-}
+    HWY_INLINE void operator()(std::size_t channel, std::size_t part, V32 value) const {
+        const Half16 d;
+        std::uint16_t* const to = block.channel[channel] + part * lanes32;
+        if (is_plain) return hn::Store(narrow(value), d, to);
+        store_lanes(store.result(d, narrow(value), to), lanes[part], d, to);
+    }
+};
 
 /// One triangle's colour from the shading stages.
 struct BatchPaint {
@@ -64,12 +72,7 @@ struct BatchPaint {
         const ColorPlanes& p = planes.scratch.color[i];
         PerspectiveColors& colors = planes.perspective;
         colors.aim(p, i);
-        for (std::size_t part = 0; part < parts; ++part) {
-            const auto w = colors.reciprocal(bx, by, part);
-            store_part(store, bx, by, alive, part, [&](std::size_t c) {
-                return colors.value(p, c, planes.draw.op->state.bits, bx, by, part, w);
-            });
-        }
+        colors.at(p, planes.draw.op->state.bits, bx, by, PartStore(store, bx, by, alive));
     }
 };
 
@@ -97,15 +100,16 @@ struct SmoothPaint {
     GW_SMOOTH_WRITE void write(int bx, int by, const LaneSet& alive) const {
         planes.make();
         const NarrowBatch& p = planes.narrow_color;
-        for (std::size_t i = 0; i < parts; ++i) {
-            const Pixels at = pixels_of(bx, by, i * lanes32);
-            store_part(store, bx, by, alive.bits(), i, [&](std::size_t c) {
+        const PartStore put(store, bx, by, alive.bits());
+        for (std::size_t i = 0; i < parts; ++i)
+            for (std::size_t c = 0; c < 4; ++c) {
                 const auto coefficient = [&](const auto& of) {
                     return hn::Set(D32(), of[c][triangle]);
                 };
-                return narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy), at);
-            });
-        }
+                put(c, i,
+                    narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy),
+                                 pixels_of(bx, by, i * lanes32)));
+            }
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         operator()(bx, by, lane_set(all_lanes));

@@ -58,12 +58,10 @@ struct BatchPlanes {
     HWY_INLINE void perspective_colors(std::size_t i, int bx, int by) {
         const ColorPlanes& planes = scratch.color[i];
         perspective.aim(planes, i);
-        for (std::size_t part = 0; part < parts; ++part) {
-            const auto w = perspective.reciprocal(bx, by, part);
-            for (std::size_t c = 0; c < 4; ++c)
-                store16(perspective.value(planes, c, draw.op->state.bits, bx, by, part, w),
-                        in.color.channel[c] + part * lanes32);
-        }
+        perspective.at(planes, draw.op->state.bits, bx, by,
+                       [&](std::size_t c, std::size_t part, V32 value) {
+                           store16(value, in.color.channel[c] + part * lanes32);
+                       });
         if (channels == 5) wide_fog(planes, *draw.op, bx, by, all_lanes, in);
     }
     /// The colours of triangle i in a block, of the lanes of `mask`.

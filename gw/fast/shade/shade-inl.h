@@ -97,17 +97,17 @@ HWY_INLINE void blend16(V32 v, std::uint32_t mask, std::size_t first, std::uint1
 
 HWY_NOINLINE inline void interpolated_color(const ColorPlanes& p, int bits, int bx, int by,
                                             std::uint32_t mask, ColorBlock& out) {
-    PerspectiveColors colors;
-    if (p.perspective) colors.aim(p, 0);
-    for (std::size_t i = 0; i < parts; ++i) {
-        const std::size_t first = i * lanes32;
-        const Pixels at = pixels_of(bx, by, first);
-        const auto w = p.perspective ? colors.reciprocal(bx, by, i) : hn::Zero(F32());
-        for (std::size_t c = 0; c < 4; ++c)
-            blend16(p.perspective ? colors.value(p, c, bits, bx, by, i, w)
-                                  : narrow_plane(p.color[c], at),
-                    mask, first, out.channel[c]);
+    if (p.perspective) {
+        PerspectiveColors colors;
+        colors.aim(p, 0);
+        return colors.at(p, bits, bx, by, [&](std::size_t c, std::size_t part, V32 value) {
+            blend16(value, mask, part * lanes32, out.channel[c]);
+        });
     }
+    for (std::size_t first = 0; first < block_pixels; first += lanes32)
+        for (std::size_t c = 0; c < 4; ++c)
+            blend16(narrow_plane(p.color[c], pixels_of(bx, by, first)), mask, first,
+                    out.channel[c]);
 }
 
 /// The most common operation of multi-pass rendering: modulate in 8 bits.

@@ -152,21 +152,35 @@ struct PerspectiveColors {
             if (varies[c]) numerator[c].aim(p.color[c]);
         }
     }
-    HWY_INLINE hn::Vec<F32> reciprocal(int bx, int by, std::size_t part) const {
-        const F32 f;
-        if (affine) return hn::Set(f, w);
-        return hn::Div(hn::Set(f, 1.0f), to_floats(q.at(bx, by, part)));
-    }
-    /// Channel c where the denominator's reciprocal is `over`.
-    HWY_INLINE V32 value(const ColorPlanes& p, std::size_t c, int bits, int bx, int by,
-                         std::size_t part, hn::Vec<F32> over) const {
+    /// Calls put(channel, part, values) for a whole block.
+    template <class Put>
+    HWY_INLINE void at(const ColorPlanes& p, int bits, int bx, int by, const Put& put) const {
         const D32 d;
-        const auto low = hn::Set(d, p.low[c]);
-        if (!varies[c]) return low;
         const auto scale = hn::Set(F32(), float(max_of_bits(bits)));
-        const auto v =
-            hn::NearestInt(hn::Mul(hn::Mul(to_floats(numerator[c].at(bx, by, part)), over), scale));
-        return hn::Min(hn::Max(hn::BitCast(d, v), low), hn::Set(d, p.high[c]));
+        hn::Vec<F32> over[parts];
+        reciprocals(bx, by, over);
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto low = hn::Set(d, p.low[c]), high = hn::Set(d, p.high[c]);
+            const auto corner = numerator[c].corner(bx, by);
+            for (std::size_t part = 0; part < parts; ++part) {
+                if (!varies[c]) {
+                    put(c, part, low);
+                    continue;
+                }
+                const auto n = to_floats(numerator[c].above(corner, part));
+                const auto v = to_nearest(hn::Mul(hn::Mul(n, over[part]), scale));
+                put(c, part, hn::Min(hn::Max(v, low), high));
+            }
+        }
+    }
+
+private:
+    HWY_INLINE void reciprocals(int bx, int by, hn::Vec<F32>* over) const {
+        const F32 f;
+        const auto corner = q.corner(bx, by);
+        for (std::size_t part = 0; part < parts; ++part)
+            over[part] = affine ? hn::Set(f, w)
+                                : hn::Div(hn::Set(f, 1.0f), to_floats(q.above(corner, part)));
     }
 };
 

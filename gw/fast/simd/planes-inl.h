@@ -53,6 +53,15 @@ HWY_INLINE V32 wide_plane(const TilePlane& p, Pixels at) {
 
 HWY_INLINE hn::Vec<F32> to_floats(V32 v) { return hn::ConvertTo(F32(), hn::BitCast(I32(), v)); }
 
+/// The nearest integers. Numbers beyond 31 bits become 2^31 - 1 or more.
+HWY_INLINE V32 to_nearest(hn::Vec<F32> v) {
+#if HWY_TARGET == HWY_AVX2  // Highway also clamps
+    return V32{_mm256_cvtps_epi32(v.raw)};
+#else
+    return hn::BitCast(D32(), hn::NearestInt(v));
+#endif
+}
+
 HWY_INLINE hn::Vec<F32> reciprocal_lanes(const TilePlane& q, Pixels at) {
     if ((q.gx | q.gy) == 0)
         return hn::Set(F32(), 1.0f / static_cast<float>(static_cast<std::int32_t>(q.c >> 16)));

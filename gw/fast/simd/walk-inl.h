@@ -181,8 +181,19 @@ struct WideHalves {
     }
 };
 struct WidePlaneLanes : WideHalves<LinearLanes> {
+    /// The halves at a block's lowest pixel.
+    struct Corner {
+        std::uint32_t high, low;
+    };
+    HWY_INLINE Corner corner(int bx, int by) const {
+        return {high.corner(bx, by), low.corner(bx, by)};
+    }
+    HWY_INLINE V32 above(Corner corner, std::size_t part) const {
+        return hn::Add(high.above(corner.high, part),
+                       hn::ShiftRight<16>(low.above(corner.low, part)));
+    }
     HWY_INLINE V32 at(int bx, int by, std::size_t part) const {
-        return hn::Add(high.at(bx, by, part), hn::ShiftRight<16>(low.at(bx, by, part)));
+        return above(corner(bx, by), part);
     }
 };
 struct WidePlaneWalk : WideHalves<Linear> {
