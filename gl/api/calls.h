@@ -46,6 +46,8 @@ void array_element(Context& c, GLint i);
 void play_elements(Context& c, const Elements& elements);
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices);
+void draw_range_elements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                         GLenum type, const GLvoid* indices);
 
 // 2.9 Rectangles
 void rect(Context& c, double x1, double y1, double x2, double y2);

@@ -15,14 +15,15 @@ constexpr T clamped(T v, T low, T high) {
 }
 
 /// NaN becomes 0, a number beyond float the largest float.
-constexpr double finite(double v) {
-    constexpr double largest = double(std::numeric_limits<float>::max());
-    return v != v ? 0.0 : clamped(v, -largest, largest);
+template <class T>
+constexpr T finite(T v) {
+    constexpr T largest = T(std::numeric_limits<float>::max());
+    return v != v ? T(0) : clamped(v, -largest, largest);
 }
 
 /// The same of each component.
-template <glm::length_t n>
-glm::vec<n, double> finite(glm::vec<n, double> v) {
+template <glm::length_t n, class T>
+glm::vec<n, T> finite(glm::vec<n, T> v) {
     for (glm::length_t i = 0; i < n; ++i) v[i] = finite(v[i]);
     return v;
 }

@@ -1,8 +1,10 @@
-// Vertex arrays. [GL11] 2.8. Elements are read one by one and go the way of immediate mode; while a
-// list is open they become its calls.
+// Vertex arrays. [GL11] 2.8. The elements of a draw become vertices without a change of the current
+// values: the specification leaves them open, and programs draw on without setting them again. Those
+// of ArrayElement, and all while a list is open, go the way of immediate mode's calls.
 #include "gl/api/call.h"
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
+#include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/packed.h"
@@ -24,11 +26,11 @@ std::size_t bytes_of(GLenum type) {
 /// Element i of an array; components that it does not have are (0, 0, 1).
 vec4 element(const ClientArray& a, GLint i, bool is_unit) {
     vec4 out{0, 0, 0, 1};
-    const std::size_t bytes = bytes_of(a.type);
+    const std::size_t bytes = a.type == GL_FLOAT ? sizeof(float) : bytes_of(a.type);
     const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
     const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
     if (a.type == GL_FLOAT) {
-        std::memcpy(&out[0], at, sizeof(float) * std::size_t(a.size));
+        for (int k = 0; k < a.size; ++k, at += bytes) std::memcpy(&out[k], at, sizeof(float));
         return out;
     }
     for (int k = 0; k < a.size; ++k, at += bytes)
@@ -74,6 +76,21 @@ void send_element(const ClientState& client, GLint i) {
     perform<execute::vertex>(Function::Vertex4f, v.x, v.y, v.z, v.w);
 }
 
+/// An element as a vertex; `v` has the values that no array gives. The current values stay.
+void add_element(Context& c, GLint i, AssembledVertex v) {
+    const ClientState& client = c.client;
+    if (is_given(client, Array::EdgeFlag))
+        v.edge_and_material = element(client.array(Array::EdgeFlag), i, false).x != 0 ? 1u : 0u;
+    if (is_given(client, Array::TexCoord))
+        v.texcoord = finite(element(client.array(Array::TexCoord), i, false));
+    if (is_given(client, Array::Color))
+        v.color = finite(element(client.array(Array::Color), i, true));
+    if (is_given(client, Array::Normal))
+        v.normal = vec3(finite(element(client.array(Array::Normal), i, true)));
+    v.position = element(client.array(Array::Vertex), i, false);
+    add_vertex(c, v);
+}
+
 /// Draws separate primitives whose vertices stand in the mesh once each. False, and nothing is done:
 /// the vertices are not shared, or not all of them can be drawn.
 template <class IndexOf>
@@ -92,38 +109,35 @@ bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
     if (vertices >= indices.size()) return false;
 
     execute::begin(c, mode);
-    for (std::uint32_t i = 0; i < vertices; ++i) send_element(c.client, GLint(first + i));
+    const AssembledVertex current = current_vertex(c);
+    for (std::uint32_t i = 0; i < vertices; ++i) add_element(c, GLint(first + i), current);
     for (std::uint32_t& index : indices) index -= first;
     const bool whole = c.assembler.mesh.end_shared(vertices, indices);
     c.assembler.inside = false;
-    if (whole) send_values(c.client, index_of(count - 1));
     return whole;
 }
 
-/// After a draw of arrays, [GL11] 2.8 leaves the current values open. As elsewhere, they stay what they
-/// were: programs draw on without setting them again.
-template <class Draw>
-void keeping_current_values(Context& c, Draw draw) {
-    const CurrentState kept = c.state.current;
-    draw();
-    c.state.current = kept;
+/// A whole primitive of elements. Without vertices it draws nothing.
+template <class IndexOf>
+void draw_elements_one_by_one(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
+    execute::begin(c, mode);
+    const AssembledVertex current = current_vertex(c);
+    if (is_given(c.client, Array::Vertex))
+        for (GLsizei i = 0; i < count; ++i) add_element(c, index_of(i), current);
+    execute::end(c);
 }
 
-/// A whole primitive of elements. Without vertices it draws nothing. An open list keeps it as one
-/// call, which is wrong between Begin and End as a whole.
+/// An open list keeps a whole primitive of elements as one call, which is wrong between Begin and
+/// End as a whole.
 template <class IndexOf>
-void send_elements(Context& c, Function function, GLenum mode, GLsizei count, IndexOf index_of) {
-    const auto send = [&] {
-        perform<execute::begin>(Function::Begin, mode);
-        if (c.client.array(Array::Vertex).enable)
-            for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_of(i));
-        perform<execute::end>(Function::End);
-    };
-    if (!c.lists.open) return keeping_current_values(c, send);
+void list_elements(Context& c, Function function, GLenum mode, GLsizei count, IndexOf index_of) {
     const auto elements = std::make_shared<DisplayList>();
     const auto outer = std::exchange(c.lists.open, elements);
     const GLenum outer_mode = std::exchange(c.lists.mode, GLenum(GL_COMPILE));
-    send();
+    perform<execute::begin>(Function::Begin, mode);
+    if (c.client.array(Array::Vertex).enable)
+        for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_of(i));
+    perform<execute::end>(Function::End);
     elements->seal();
     c.lists.open = outer;
     c.lists.mode = outer_mode;
@@ -266,7 +280,9 @@ void array_element(Context& c, GLint i) {
 
 void play_elements(Context& c, const Elements& elements) {
     c.calls.is_one_call = true;
-    keeping_current_values(c, [&] { elements->play(c); });
+    const CurrentState kept = c.state.current;
+    elements->play(c);
+    c.state.current = kept;
     c.calls.is_one_call = false;
 }
 
@@ -274,7 +290,9 @@ void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
     if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);
     if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
     if (count < 0 || first < 0) return set_error(c, GL_INVALID_VALUE);
-    send_elements(c, Function::DrawArrays, mode, count, [&](GLsizei i) { return first + i; });
+    const auto index_of = [&](GLsizei i) { return first + i; };
+    if (c.lists.open) return list_elements(c, Function::DrawArrays, mode, count, index_of);
+    draw_elements_one_by_one(c, mode, count, index_of);
 }
 
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
@@ -284,11 +302,16 @@ void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GL
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return set_error(c, GL_INVALID_ENUM);
     if (indices == nullptr) return;
-    if (!c.lists.open &&
-        draw_shared(c, mode, count, [&](GLsizei i) { return index_at(type, indices, i); }))
-        return;
-    send_elements(c, Function::DrawElements, mode, count,
-                  [&](GLsizei i) { return index_at(type, indices, i); });
+    const auto index_of = [&](GLsizei i) { return index_at(type, indices, i); };
+    if (c.lists.open) return list_elements(c, Function::DrawElements, mode, count, index_of);
+    if (!draw_shared(c, mode, count, index_of)) draw_elements_one_by_one(c, mode, count, index_of);
+}
+
+/// The range is a hint. EXT_draw_range_elements
+void draw_range_elements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+                         GLenum type, const GLvoid* indices) {
+    if (end < start && !c.assembler.inside) return set_error(c, GL_INVALID_VALUE);
+    draw_elements(c, mode, count, type, indices);
 }
 
 }  // namespace execute

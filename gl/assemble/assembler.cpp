@@ -15,12 +15,6 @@ bool all_finite(const vec4& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-vec4 finite(const vec4& v) {
-    if (all_finite(v)) return v;
-    return {float(gl::finite(v.x)), float(gl::finite(v.y)), float(gl::finite(v.z)),
-            float(gl::finite(v.w))};
-}
-
 }  // namespace
 
 void Assembler::clear() {

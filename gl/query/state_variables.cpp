@@ -216,6 +216,8 @@ void add_hints(Table& t) {
 double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x1p-11 : 1; }
 
 void add_limits(Table& t) {
+    t[GL_MAX_ELEMENTS_INDICES] = [](Context&) { return whole(1 << 16); };
+    t[GL_MAX_ELEMENTS_VERTICES] = [](Context&) { return whole(1 << 16); };
     t[GL_MAX_LIGHTS] = [](Context&) { return whole(light_count); };
     t[GL_MAX_CLIP_PLANES] = [](Context&) { return whole(max_clip_planes); };
     t[GL_MAX_MODELVIEW_STACK_DEPTH] = [](Context&) { return whole(modelview_stack_depth); };

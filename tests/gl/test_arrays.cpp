@@ -270,6 +270,9 @@ TEST(GlArrays, ADrawLeavesTheCurrentValuesAlone) {
     EXPECT_EQ(values(), initial);
     glDrawElements(GL_LINES, 2, GL_UNSIGNED_BYTE, indices.data());
     EXPECT_EQ(values(), initial);
+    const std::array<GLubyte, 4> shared{0, 1, 1, 0};
+    glDrawElements(GL_LINES, 4, GL_UNSIGNED_BYTE, shared.data());
+    EXPECT_EQ(values(), initial);
     glNewList(1, GL_COMPILE_AND_EXECUTE);
     glDrawArrays(GL_LINES, 0, 2);
     glEndList();
@@ -280,6 +283,23 @@ TEST(GlArrays, ADrawLeavesTheCurrentValuesAlone) {
     glArrayElement(1);
     glEnd();
     EXPECT_NE(values(), initial);
+}
+
+TEST(GlArrays, ARangeOfElementsDrawsAsElements) {
+    const std::array<GLfloat, 8> corners{2, 3, 28, 5, 9, 29, 30, 30};
+    const std::array<GLushort, 6> indices{0, 1, 2, 1, 3, 2};
+    const auto with_corners = [&](const auto& draw) {
+        return [&] {
+            glVertexPointer(2, GL_FLOAT, 0, corners.data());
+            glEnableClientState(GL_VERTEX_ARRAY);
+            draw();
+        };
+    };
+    const auto elements = [&] { glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, &indices[0]); };
+    const auto range = [&] {
+        glDrawRangeElements(GL_TRIANGLES, 0, 3, 6, GL_UNSIGNED_SHORT, &indices[0]);
+    };
+    expect_same_picture(with_corners(elements), with_corners(range));
 }
 
 TEST(GlArrays, WrongArgumentsAreErrors) {
@@ -299,6 +319,7 @@ TEST(GlArrays, WrongArgumentsAreErrors) {
     glDrawArrays(GL_POINTS, 0, -1), expect(GL_INVALID_VALUE);
     glDrawElements(GL_POINTS, -1, GL_UNSIGNED_INT, nullptr), expect(GL_INVALID_VALUE);
     glDrawElements(GL_POINTS, 1, GL_INT, nullptr), expect(GL_INVALID_ENUM);
+    glDrawRangeElements(GL_POINTS, 2, 1, 0, GL_UNSIGNED_INT, nullptr), expect(GL_INVALID_VALUE);
     glEnableClientState(GL_BLEND), expect(GL_INVALID_ENUM);
 }
 
