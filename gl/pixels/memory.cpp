@@ -54,12 +54,15 @@ void copy_bits(std::byte* to, bool to_lsb, std::size_t to_first, const std::byte
 
 }  // namespace
 
-void copy_from_memory(std::span<std::byte> rows, const PixelStore& store, GLsizei width,
-                      GLsizei height, GLenum format, GLenum type, const void* memory) {
+std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,
+                                        GLenum format, GLenum type, const void* memory) {
     const std::size_t row = memory_row(store, width, format, type);
     const std::size_t bytes = row_bytes(width, format, type);
     const auto* from =
         static_cast<const std::byte*>(memory) + skipped_bytes(store, row, format, type);
+    const std::size_t size = bytes * std::size_t(height);
+    if (row == bytes && type != GL_BITMAP && !store.swap_bytes) return {from, from + size};
+    std::vector<std::byte> rows(size);
     std::byte* to = rows.data();
     for (GLsizei y = 0; y < height; ++y, from += row, to += bytes) {
         if (type == GL_BITMAP) {
@@ -70,6 +73,7 @@ void copy_from_memory(std::span<std::byte> rows, const PixelStore& store, GLsize
         std::memcpy(to, from, bytes);
         if (store.swap_bytes) swap_components(to, bytes, type);
     }
+    return rows;
 }
 
 void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsizei height,
@@ -96,10 +100,8 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
         return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
     return guarded(*current, [&]() -> HostImage {
-        auto rows = std::make_shared<std::vector<std::byte>>(row_bytes(width, format, type) *
-                                                             std::size_t(height));
-        copy_from_memory(*rows, current->client.unpack, width, height, format, type, pixels);
-        return {std::move(rows)};
+        return {std::make_shared<std::vector<std::byte>>(
+            copy_from_memory(current->client.unpack, width, height, format, type, pixels))};
     });
 }
 

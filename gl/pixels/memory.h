@@ -7,14 +7,15 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace gw::gl {
 
 /// Copies an image out of the caller's memory: rows without padding, the host's byte order, bitmaps
 /// with the highest bit first.
-void copy_from_memory(std::span<std::byte> rows, const PixelStore& store, GLsizei width,
-                      GLsizei height, GLenum format, GLenum type, const void* memory);
-/// The reverse. Bytes and bits between the image's stay as they are.
+std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,
+                                        GLenum format, GLenum type, const void* memory);
+/// The reverse, of such rows. Bytes and bits between the image's stay as they are.
 void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsizei height,
                     GLenum format, GLenum type, std::span<const std::byte> rows);
 

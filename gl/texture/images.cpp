@@ -70,18 +70,23 @@ void store_texels(TextureImage& image, const Rect& rect, const std::vector<Rgba>
                     std::size_t(rect.width) * sizeof(Rgba));
 }
 
-TextureImage empty_image(const Request& r) {
-    return {r.width, r.height, r.border, r.internal_format,
-            std::vector<std::uint16_t>(4 * std::size_t(r.width) * std::size_t(r.height))};
+/// An image of these colours. Null: its texels are 0.
+TextureImage image_of(const Request& r, const std::vector<Rgba>* colors) {
+    TextureImage image{r.width, r.height, r.border, r.internal_format, {}};
+    if (colors == nullptr) {
+        image.rgba.resize(4 * std::size_t(r.width) * std::size_t(r.height));
+        return image;
+    }
+    const std::uint16_t* const first = colors->front().data();
+    image.rgba.assign(first, first + 4 * colors->size());
+    return image;
 }
 
 /// Replaces an image. Null colours: its texels are 0.
 void set_image(Context& c, const Place& place, const Request& r, const std::vector<Rgba>* colors) {
     begin_change(c);
-    TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : empty_image(r);
+    TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : image_of(r, colors);
     image.internal_format = r.internal_format;
-    if (colors != nullptr && image.width > 0)
-        store_texels(image, {0, 0, r.width, r.height}, *colors);
     const auto lock = c.shared->exclusive();
     TextureObject& object = *c.textures.bound[place.index];
     object.levels[std::size_t(r.level)] = std::move(image);
