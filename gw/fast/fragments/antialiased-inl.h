@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -194,6 +196,18 @@ inline void draw_stippled_smooth_line(SmoothTile& pixels, std::uint32_t ordinal,
     paint_shape(pixels, ordinal, 0, counts);
 }
 
+/// The disc of points around (0, 0), kept for the next tiles with points of this size. Valid until
+/// the next call.
+inline const ShapeSides& disc_of(float point_size) {
+    constexpr std::size_t most_kept = 64;
+    thread_local std::map<float, ShapeSides> kept;
+    if (const auto found = kept.find(point_size); found != kept.end()) return found->second;
+    ShapeSides sides;
+    sides.set(disc({0, 0}, half_size(point_size)).corners);
+    if (kept.size() == most_kept) kept.clear();
+    return kept[point_size] = std::move(sides);
+}
+
 /// Points, and lines without stipple: one shape each. Draws them in batches.
 class SmoothShapes {
 public:
@@ -219,9 +233,8 @@ public:
 
 private:
     void draw_point(BatchPlanes& planes, std::size_t i, const PrimitiveFrame& frame) {
-        if (disc_.corners().empty())
-            disc_.set(disc({0, 0}, half_size(draw_.op->state.state.point_size)).corners);
-        find(disc_, {shape_coordinate(frame.x[0], frame.s), shape_coordinate(frame.y[0], frame.s)});
+        find(disc_of(draw_.op->state.state.point_size),
+             {shape_coordinate(frame.x[0], frame.s), shape_coordinate(frame.y[0], frame.s)});
         SmoothPainter painter(planes, i, frame, counts_);
         coverage_.for_each_block(
             [&](int bx, int by, const CoverageBlock& coverage, std::uint32_t lanes) {
@@ -255,7 +268,6 @@ private:
     OpCounts& counts_;
     std::array<std::uint32_t, batch_capacity> waiting_;
     std::size_t count_ = 0;
-    ShapeSides disc_;  ///< of the draw's points, around (0, 0)
     ShapeSides rectangle_;
     ShapeCoverage coverage_;
 };
