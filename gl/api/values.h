@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gw::gl {
@@ -28,9 +29,13 @@ struct Params {
 using Numbers = std::shared_ptr<const std::vector<double>>;
 
 /// Pixels from the caller's memory: rows from the bottom without padding, in the host's byte
-/// order. Null: none were given. A bitmap's rows begin with a byte's highest bit.
+/// order. A bitmap's rows begin with a byte's highest bit.
 struct HostImage {
-    std::shared_ptr<const std::vector<std::byte>> bytes;
+    std::span<const std::byte> bytes;
+    /// Has the bytes, so that a display list may keep them; null: the caller's memory has.
+    std::shared_ptr<const std::vector<std::byte>> kept;
+
+    bool is_given() const { return bytes.data() != nullptr; }
 };
 
 }  // namespace gw::gl

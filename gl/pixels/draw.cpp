@@ -172,7 +172,7 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
                  const HostImage& image) {
     if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.bytes) return;
+    if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.is_given()) return;
     if (format == GL_DEPTH_STENCIL) return draw_depths_and_stencils(c, width, height, image);
     gw::DrawPixels out = rectangle(c, width, height);
     if (format == GL_DEPTH_COMPONENT)
@@ -189,12 +189,12 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
     if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
     CurrentState::Raster& raster = c.state.current.raster;
     if (!raster.valid) return;
-    if (is_drawn(c, GL_BITMAP_TOKEN) && image.bytes) {
+    if (is_drawn(c, GL_BITMAP_TOKEN) && image.is_given()) {
         gw::DrawPixels out = rectangle(c, width, height);
         out.raster.x = std::floor(raster.position.x - finite(double(xorig)));
         out.raster.y = std::floor(raster.position.y - finite(double(yorig)));
         out.zoom_x = out.zoom_y = 1;
-        for (const std::byte bits : *image.bytes)
+        for (const std::byte bits : image.bytes)
             out.bits.push_back(std::to_integer<std::uint8_t>(bits));
         add_rectangle(c, std::move(out));
     }

@@ -54,15 +54,24 @@ void copy_bits(std::byte* to, bool to_lsb, std::size_t to_first, const std::byte
 
 }  // namespace
 
+std::optional<std::span<const std::byte>> rows_in_memory(const PixelStore& store, GLsizei width,
+                                                         GLsizei height, GLenum format, GLenum type,
+                                                         const void* memory) {
+    const std::size_t row = memory_row(store, width, format, type);
+    if (row != row_bytes(width, format, type) || type == GL_BITMAP || store.swap_bytes)
+        return std::nullopt;
+    return std::span(
+        static_cast<const std::byte*>(memory) + skipped_bytes(store, row, format, type),
+        row * std::size_t(height));
+}
+
 std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,
                                         GLenum format, GLenum type, const void* memory) {
     const std::size_t row = memory_row(store, width, format, type);
     const std::size_t bytes = row_bytes(width, format, type);
     const auto* from =
         static_cast<const std::byte*>(memory) + skipped_bytes(store, row, format, type);
-    const std::size_t size = bytes * std::size_t(height);
-    if (row == bytes && type != GL_BITMAP && !store.swap_bytes) return {from, from + size};
-    std::vector<std::byte> rows(size);
+    std::vector<std::byte> rows(bytes * std::size_t(height));
     std::byte* to = rows.data();
     for (GLsizei y = 0; y < height; ++y, from += row, to += bytes) {
         if (type == GL_BITMAP) {
@@ -99,9 +108,14 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
         height > largest)
         return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
+    const PixelStore& store = current->client.unpack;
     return guarded(*current, [&]() -> HostImage {
-        return {std::make_shared<std::vector<std::byte>>(
-            copy_from_memory(current->client.unpack, width, height, format, type, pixels))};
+        const auto rows = rows_in_memory(store, width, height, format, type, pixels);
+        if (rows && !current->lists.open) return {*rows, nullptr};
+        auto kept = std::make_shared<const std::vector<std::byte>>(
+            rows ? std::vector(rows->begin(), rows->end())
+                 : copy_from_memory(store, width, height, format, type, pixels));
+        return {*kept, std::move(kept)};
     });
 }
 
@@ -109,11 +123,11 @@ Stipple stipple(const GLubyte* mask) {
     Stipple out;
     out.fill(~0u);
     const HostImage image = unpack(32, 32, GL_COLOR_INDEX, GL_BITMAP, mask);
-    if (!image.bytes) return out;
+    if (!image.is_given()) return out;
     for (std::size_t y = 0; y < 32; ++y) {
         out[y] = 0;
         for (std::size_t i = 0; i < 4; ++i)
-            out[y] = out[y] << 8 | std::to_integer<std::uint32_t>((*image.bytes)[4 * y + i]);
+            out[y] = out[y] << 8 | std::to_integer<std::uint32_t>(image.bytes[4 * y + i]);
     }
     return out;
 }

@@ -81,7 +81,7 @@ std::array<double, 4> components_of(GLenum format, const vec4& c) {
 template <class Take>
 void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
                     const HostImage& image, Take take) {
-    const std::byte* row = image.bytes->data();
+    const std::byte* row = image.bytes.data();
     const auto count = std::size_t(component_count(format));
     const std::size_t bytes = component_bytes(type);
     const PackedType* const packed = packed_type(type);
@@ -193,10 +193,10 @@ std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLe
         return out;
     }
     const auto tables = quantized_bytes<std::uint16_t>(c, bits);
-    if (format == GL_RGBA && scales_evenly(tables)) return scaled(*image.bytes, tables[0][1]);
+    if (format == GL_RGBA && scales_evenly(tables)) return scaled(image.bytes, tables[0][1]);
     const auto from = component_of_channel(format);
     const auto count = std::size_t(component_count(format));
-    const std::byte* at = image.bytes->data();
+    const std::byte* at = image.bytes.data();
     std::array<std::byte, 6> v{};
     v[5] = std::byte{255};
     for (std::size_t i = 0; i < pixels; ++i, at += count) {

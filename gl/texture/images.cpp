@@ -110,7 +110,7 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    if (!host.bytes) return set_image(c, *place, r, nullptr);
+    if (!host.is_given()) return set_image(c, *place, r, nullptr);
     const auto colors = host_rgba(c, r.width, r.height, format, type, host, texel_bits);
     set_image(c, *place, r, &colors);
 }
@@ -148,7 +148,7 @@ void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLe
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
     TextureImage* const image = replaced_image(c, target, level, part);
-    if (image == nullptr || !host.bytes) return;
+    if (image == nullptr || !host.is_given()) return;
     replace_part(c, target, *image, part,
                  host_rgba(c, part.width, part.height, format, type, host, texel_bits));
 }
