@@ -186,9 +186,12 @@ void clear(const Gl& gl, Random& random, Results&) {
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+/// Mesa 22.3 restores with GL_ENABLE_BIT alone not which lights are enabled.
 void nest_attributes(const Gl& gl, Random& random, Results&) {
-    random.chance(50) ? gl.PushAttrib(GLbitfield(random.next()) & GL_ALL_ATTRIB_BITS)
-                      : gl.PopAttrib();
+    if (!random.chance(50)) return gl.PopAttrib();
+    GLbitfield mask = GLbitfield(random.next()) & GL_ALL_ATTRIB_BITS;
+    if ((mask & GL_ENABLE_BIT) != 0) mask |= GL_LIGHTING_BIT;
+    gl.PushAttrib(mask);
 }
 
 void nest_matrices(const Gl& gl, Random& random, Results&) {
