@@ -79,7 +79,7 @@ HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, i
 struct Kept {
     scene::Scene scene;  ///< with the materials as the file has them
     Options options;
-    std::optional<raytrace::World> world;
+    std::shared_ptr<const raytrace::World> world;
     std::optional<HitShadows> shadows;  ///< if hits read shadow maps
 
     /// Makes both anew for a sample's moment if objects or lights have moved.
@@ -87,7 +87,7 @@ struct Kept {
         const bool same = world && same_places(scene, now), lit_the_same = same_lights(scene, now);
         scene.objects = now.objects;
         scene.lights = now.lights;
-        if (!same) world.emplace(scene, options.threads);
+        if (!same) world = std::make_shared<raytrace::World>(scene, options.threads);
         if (options.shadow_maps && !(shadows && same && lit_the_same))
             shadows.emplace(machine, now, view.width, view.height);
     }
@@ -112,6 +112,7 @@ multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
     const auto kept = std::make_shared<Kept>();
     kept->scene = scene;
     kept->options = options;
+    kept->world = options.world;
     kept->scene.background = options.background.value_or(scene.background);
     return [kept](Machine& machine, const scene::Scene& now, const scene::View& view,
                   const JitterState& jitter) {

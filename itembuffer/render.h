@@ -18,6 +18,8 @@ struct Options {
     std::optional<vec3> background;
     int threads = 0;                        ///< of the tracer; 0: all
     raytrace::RayCounts* counts = nullptr;  ///< the counts of all samples are added here
+    /// Of the scene, if it is at hand; serves until an object moves. Null: made.
+    std::shared_ptr<const raytrace::World> world = nullptr;
 };
 
 /// The passes of a scene with the traced component among them: after the opaque components, before

@@ -287,6 +287,14 @@ TEST(Eq5, TracesWhatHasMovedWhereItIs) {
     EXPECT_NE(then, first);
     EXPECT_EQ(then, tracing(moved, {})(*m, moved, view, {}));
     EXPECT_EQ(trace(*m, walls.scene, view, {}), first);
+
+    const auto traced_in = [&](const scene::Scene& world) {
+        return tracing(walls.scene, {.world = std::make_shared<raytrace::World>(world)});
+    };
+    EXPECT_NE(traced_in(moved)(*m, walls.scene, view, {}), first) << "the world is not used";
+    const multipass::Trace at_hand = traced_in(walls.scene);
+    EXPECT_EQ(at_hand(*m, walls.scene, view, {}), first);
+    EXPECT_EQ(at_hand(*m, moved, view, {}), then);
 }
 
 TEST(Eq5, ReadsThePassesShadowMapsWhereAsked) {

@@ -72,9 +72,9 @@ struct RayScene::Walk {
 RayScene::RayScene(Machine& machine, scene::Scene scene, int depth)
     : machine_(machine), scene_(std::move(scene)), depth_(depth) {}
 
-const raytrace::World& RayScene::world() {
-    if (!world_) world_.emplace(scene_, 1);
-    return *world_;
+const std::shared_ptr<const raytrace::World>& RayScene::world() {
+    if (!world_) world_ = std::make_shared<raytrace::World>(scene_, 1);
+    return world_;
 }
 
 Json RayScene::by_passes(const scene::View& view) {
@@ -86,8 +86,9 @@ Json RayScene::by_passes(const scene::View& view) {
         if (any) {
             passes.passes =
                 itembuffer::passes_with_tracing(scene_, multipass::Translucency::Sorted);
-            passes.trace = [this, trace = itembuffer::tracing(
-                                      scene_, {.depth = depth_, .threads = 1, .counts = &counts_})](
+            const itembuffer::Options rays{
+                .depth = depth_, .threads = 1, .counts = &counts_, .world = world()};
+            passes.trace = [this, trace = itembuffer::tracing(scene_, rays)](
                                Machine& machine, const scene::Scene& now, const scene::View& seen,
                                const JitterState& jitter) {
                 const double from = now_ms();
@@ -111,7 +112,7 @@ Json RayScene::by_passes(const scene::View& view) {
 Json RayScene::by_rays(const scene::View& view) {
     const double begun = now_ms();
     const bool made = !world_;
-    const raytrace::Tracer tracer(scene_, world(), view, options());
+    const raytrace::Tracer tracer(scene_, *world(), view, options());
     const raytrace::RaytracedPicture picture =
         raytrace::raytraced_picture(tracer, scene_, view, {}, machine_.profile());
     machine_.execute(raytrace::commands(picture, view));
@@ -128,7 +129,7 @@ const std::vector<std::uint32_t>& RayScene::identify(const scene::View& view) {
 }
 
 std::vector<std::uint8_t> RayScene::traced() {
-    const raytrace::Tracer tracer(scene_, world(), view_, options());
+    const raytrace::Tracer tracer(scene_, *world(), view_, options());
     std::vector<std::uint8_t> traced;
     for (const std::uint32_t id : ids_) {
         const auto triangle = world_->triangles().first_of(id);
@@ -142,12 +143,12 @@ Json RayScene::path(int x, int y, bool ordinary) {
         throw Error("pixel " + std::to_string(x) + " " + std::to_string(y) +
                     " is outside the picture");
     y = view_.height - 1 - y;
-    const scene::WorldTriangles& triangles = world().triangles();
+    const scene::WorldTriangles& triangles = world()->triangles();
     const scene::Bounds bounds = scene::bounds(scene_);
     Walk walk{*this, triangles, length(bounds.high - bounds.low) / 4};
     raytrace::TraceOptions followed = options();
     followed.followed = [&walk](const raytrace::FollowedRay& ray) { walk.add(ray); };
-    const raytrace::Tracer tracer(scene_, world(), view_, followed);
+    const raytrace::Tracer tracer(scene_, *world(), view_, followed);
 
     const std::size_t pixel = view_.index(x, y);
     const scene::PixelRay ray = scene::PixelRays(view_).through(x + 0.5, y + 0.5);

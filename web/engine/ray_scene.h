@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace gw::lab {
@@ -41,7 +40,8 @@ public:
 
 private:
     struct Walk;
-    const raytrace::World& world();
+    /// Serves both renderers.
+    const std::shared_ptr<const raytrace::World>& world();
     raytrace::TraceOptions options() const { return {.depth = depth_, .threads = 1}; }
 
     Machine& machine_;
@@ -50,7 +50,7 @@ private:
     raytrace::RayCounts counts_;
     double tracing_ = 0;  ///< milliseconds
     std::unique_ptr<multipass::Driver> driver_;
-    std::optional<raytrace::World> world_;
+    std::shared_ptr<const raytrace::World> world_;
     scene::View view_;
     std::vector<std::uint32_t> ids_;
 };
