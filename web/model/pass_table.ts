@@ -58,6 +58,9 @@ export function cellAt(
 
 /** A cell as people read it: words without quotation marks. */
 export const shown = (value: string | undefined): string => (value ?? '').replace(/^"(.*)"$/, '$1');
+/** Shorter, to be read only: "func=Equal, mask=false". */
+export const brief = (value: string | undefined): string =>
+  (value ?? '').replace(/["{}[\]]/g, '').replaceAll(' = ', '=');
 /** What was typed, as TOML: a name is a string, and so is all that is no other value. */
 export function written(key: string, text: string): string {
   const isOther = key !== 'name' && /^([[{"]|[-+.\d]|true$|false$)/.test(text);

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { cellAt, rowsFrom, shown, tomlOf, withCell } from '../model/pass_table';
+import { brief, cellAt, rowsFrom, shown, tomlOf, withCell } from '../model/pass_table';
 
 const toml = `[[pass]]
 name = "depth"
@@ -17,6 +17,12 @@ it('reads rows and writes them again', () => {
   expect(rows.map((row) => shown(row.get('name')))).toEqual(['depth', 'diffuse']);
   expect(rows[0]!.get('depth')).toBe('{func = "less", mask = true}');
   expect(rowsFrom(tomlOf(rows))).toEqual(rows);
+});
+
+it('shortens what is only read', () => {
+  const [row] = rowsFrom(toml);
+  const texts = ['name', 'clear', 'depth', 'Ka'].map((key) => brief(row!.get(key)));
+  expect(texts).toEqual(['depth', 'color, depth', 'func=less, mask=true', '']);
 });
 
 it('finds the cell of a line', () => {

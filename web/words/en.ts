@@ -247,7 +247,7 @@ export const en = {
   lab_all_passes: 'all passes',
   lab_in_one: 'eq. 1',
   lab_estimate: 'Times are estimates, from a price list of {0}.',
-  lab_tuples: 'The parameter sets: change a cell, and the machine draws again',
+  lab_tuples: 'The parameter sets: open a row and change a cell, and the machine draws again',
   lab_scene_list: "Back to the scene's passes",
   lab_earlier: 'Earlier',
   lab_twice: 'Once more',

@@ -246,7 +246,7 @@ export const ja: Words = {
   lab_all_passes: '全パス',
   lab_in_one: '式1',
   lab_estimate: '時間は {0} の価格表による推定値。',
-  lab_tuples: 'パラメータの組：欄を書き換えると機械が描き直す',
+  lab_tuples: 'パラメータの組：行を開いて欄を書き換えると、機械が描き直す',
   lab_scene_list: 'シーンのパスに戻す',
   lab_earlier: '前へ',
   lab_twice: '複製',

@@ -98,6 +98,8 @@ it('shows a pass, a plane, the history of a pixel, and another cell', async () =
   await thePage().waitForSelector('.plane-depth[aria-pressed=true]');
   await tabTo('.runs button');
   await changes('step', () => keys('Enter'));
+  await tabTo('.passes .row');
+  await keys('Enter');
   await tabTo('.passes input');
   await keys('PageDown');
   await changes('list', () => keys('Digit1', 'Enter'));

@@ -42,9 +42,11 @@ it('shows the sum after a pass, and the whole picture at the end', async () => {
 it('draws again when a cell is typed into, and marks a wrong one', async () => {
   await begin('&scene=rings.toml');
   const before = await pixels('many');
-  const row = await thePage().$$eval('table.passes tbody tr', (all) =>
-    all.findIndex((r) => r.querySelector<HTMLInputElement>('input')!.value === 'specular'),
-  );
+  const row = await thePage().$$eval('table.passes .row', (all) => {
+    const row = all.findIndex((button) => button.textContent === 'specular');
+    (all[row] as HTMLElement).click();
+    return row;
+  });
   const type = async (key: string, word: string) => {
     const cell = `input[data-cell="${row} ${key}"]`;
     await thePage().click(cell, { count: 3 });
