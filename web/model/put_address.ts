@@ -9,6 +9,11 @@ function put(address: string): void {
   if (address !== location.hash) history.replaceState(null, '', address);
 }
 
+/** The state until now stays behind: Back returns to it. */
+export function leaveAddress(): void {
+  history.pushState(null, '', location.href);
+}
+
 export function putAddress(address: string): void {
   const isQueued = waiting !== undefined;
   const wait = last + interval - performance.now();

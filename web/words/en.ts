@@ -128,7 +128,7 @@ export const en = {
   history_range:
     'Histories are stored of passes {0} to {1}; gw inspect --history A-B stores others.',
   history_count: 'Pixel {0}, {1}: {2} events in passes {3} to {4}.',
-  history_missing: 'The file {0} could not be read.',
+  file_unreadable: 'The file {0} could not be read.',
   show: 'Show',
   only: 'this pass only',
   column_pass: 'pass',
@@ -162,7 +162,7 @@ export const en = {
   lab_hidden_look:
     'Drag the picture to move the eye. What does the algorithm ask again, and where does it err?',
   lab_scene: 'Scene',
-  lab_own: 'Your own (OBJ, TOML, with MTL and PNG)',
+  lab_own: 'Open your own (OBJ, TOML, with MTL and PNG)',
   lab_no_scene: 'No scene among these files; expected an OBJ or a TOML file.',
   lab_size: 'Size',
   lab_profile: 'Profile',

@@ -128,7 +128,7 @@ export const ja: Words = {
   history_range:
     '履歴があるのはパス {0} から {1} です。ほかは gw inspect --history A-B で保存します。',
   history_count: '画素 {0}, {1}: パス {3} から {4} までに {2} 件。',
-  history_missing: 'ファイル {0} を読めませんでした。',
+  file_unreadable: 'ファイル {0} を読めませんでした。',
   show: '表示',
   only: 'このパスだけ',
   column_pass: 'パス',
@@ -162,7 +162,7 @@ export const ja: Words = {
   lab_hidden_look:
     '絵をドラッグすると視点が動きます。アルゴリズムは何を問い直し、どこで誤るでしょうか。',
   lab_scene: 'シーン',
-  lab_own: '自分のファイル（OBJ、TOML、MTL と PNG も）',
+  lab_own: '自分のファイルを開く（OBJ、TOML、MTL と PNG も）',
   lab_no_scene: 'シーンがありません。OBJ か TOML のファイルが必要です。',
   lab_size: '大きさ',
   lab_profile: 'プロファイル',

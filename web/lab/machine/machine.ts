@@ -1,6 +1,7 @@
 // The machine as the page sees it: every method of the worker as a promise. A worker that is stopped,
 // or whose memory is full, is ended, and another one begins with the same files.
 import { beginWorker } from './begin_worker';
+import { folder } from './data';
 import type { Answer, Files, Methods } from './protocol';
 
 type Result<M extends keyof Methods> = Promise<ReturnType<Methods[M]>>;
@@ -38,7 +39,7 @@ export class Machine {
       const asked = this.waiting.get(number);
       this.waiting.delete(number);
       if (error === undefined) asked?.done(value);
-      else asked?.failed(new Error(error));
+      else asked?.failed(new Error(error.replaceAll(folder, '')));
       if (error?.startsWith('not enough memory')) {
         if (asked?.method === 'open') this.scene = ''; // it would fail again
         this.stop(error).catch(() => undefined); // the page has the error

@@ -1,7 +1,7 @@
 // The machine in a worker: requests in, answers out, one after the other.
 import make_engine, { type Engine, type EngineModule } from 'gw-engine';
 import make_scalar from 'gw-scalar';
-import { decode } from 'fast-png';
+import { decode, type DecodedPng } from 'fast-png';
 import { folder } from './data';
 import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
 import { bytesOf, unpacked } from './unpacked';
@@ -23,7 +23,7 @@ function write(files: Files): void {
   for (const [path, bytes] of Object.entries(files)) {
     lab.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     lab.FS.writeFile(path, bytes);
-    if (path.endsWith('.png')) pictures.set(path, bytes);
+    if (/\.png$/i.test(path)) pictures.set(path, bytes);
   }
 }
 
@@ -35,11 +35,19 @@ async function sceneFiles(text: string): Promise<Files> {
   );
 }
 
+function decoded(path: string, bytes: Uint8Array): DecodedPng {
+  try {
+    return decode(bytes);
+  } catch (error) {
+    throw new Error(`${path}: ${(error as Error).message}; expected a PNG picture`);
+  }
+}
+
 /** Four channels, as the file has their values. */
 function addPicture(path: string): void {
   const bytes = pictures.get(path);
   if (!bytes) return;
-  const png = decode(bytes);
+  const png = decoded(path, bytes);
   const { width, height, channels, depth } = png;
   const count = width * height;
   const most = depth === 16 ? 65535 : 255;

@@ -1,0 +1,72 @@
+// A visit as a lecturer makes one: own files, Back, a window that becomes narrower.
+import { expect, it } from 'vitest';
+import { inChromium, open, thePage } from './page';
+
+inChromium();
+/** By name and text. */
+const drop = (files: Record<string, string>) =>
+  thePage().evaluate((files) => {
+    const data = new DataTransfer();
+    for (const [name, text] of Object.entries(files)) data.items.add(new File([text], name));
+    window.dispatchEvent(new DragEvent('drop', { dataTransfer: data }));
+  }, files);
+const alerts = () => thePage().$$eval('[role=alert]', (all) => all.map((e) => e.textContent));
+const exhibit = () => thePage().$eval('.exhibit[aria-current]', (e) => e.textContent);
+
+const ball = '[[object]]\nshape = "sphere"\nmaterial = "skin"\n[material.skin]\n';
+
+it.each([
+  [
+    'a texture',
+    { 'm.toml': ball + 'map_Kd = "gone.png"\n' },
+    'own/m.toml:5: own/gone.png is not here',
+  ],
+  ['a picture', { 'm.toml': ball + 'map_Kd = "bad.png"\n', 'bad.png': '?' }, 'own/bad.png: '],
+  ['a key', { 'm.toml': ball + 'colour = 1\n' }, "own/m.toml:5: unknown key 'colour'"],
+  ['a number', { 'm.toml': ball + 'Ks = nan\n' }, 'own/m.toml:5: '],
+  ['a model', { 'm.obj': 'v 0 0 0\nf 1 2 3\n' }, 'own/m.obj:2: v index 2 is out of range'],
+  ['all files', { 'm.png': '?' }, 'No scene among these files'],
+])('says in one line what is wrong with %s, and goes on', async (_, files, why) => {
+  await open('#lang=en&exhibit=passes&size=64x48&scene=rings.toml');
+  await thePage().waitForSelector('figure.many canvas');
+  await drop(files);
+  await thePage().waitForSelector('[role=alert]');
+  const said = await alerts();
+  expect(said).toHaveLength(1);
+  expect(said[0]).toContain(why);
+  expect(said[0]).not.toContain('\n');
+  await drop({ 'GOOD.OBJ': 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' });
+  await thePage().waitForFunction(
+    () => document.querySelector<HTMLSelectElement>('select.scene')?.value === 'own/GOOD.OBJ',
+  );
+  await thePage().waitForFunction(() => !document.querySelector('[role=alert]'));
+  await thePage().waitForSelector('figure.plane:not(.old) canvas');
+});
+
+it('goes back to the exhibit and the scene before', async () => {
+  await open('#lang=en&exhibit=hidden&size=64x48&scene=hidden/five.toml');
+  await thePage().waitForSelector('.stack');
+  await thePage().click('nav > button:nth-of-type(4)');
+  await thePage().waitForSelector('figure.many canvas');
+  await thePage().select('select.scene', 'rings.toml');
+  await thePage().waitForFunction(() => location.hash.includes('rings.toml'));
+  await thePage().goBack();
+  await thePage().waitForFunction(() => location.hash.includes('five.toml'));
+  expect(await exhibit()).toBe('Passes');
+  await thePage().goBack();
+  await thePage().waitForFunction(() => location.hash.includes('exhibit=hidden'));
+  await thePage().waitForSelector('.bar .play');
+  expect(await exhibit()).toBe('Hidden surfaces');
+});
+
+it.each(['hidden', 'own', 'pixel', 'passes', 'rays', 'radiosity'])(
+  '%s fits a window that becomes narrower',
+  async (name) => {
+    await open(`#lang=en&projector=1&exhibit=${name}&size=64x48`, 1920, 1080);
+    await thePage().waitForSelector('canvas');
+    for (const width of [1024, 768, 390]) {
+      await thePage().setViewport({ width, height: 800 });
+      await thePage().waitForFunction(() => document.documentElement.scrollWidth <= innerWidth);
+    }
+  },
+);
