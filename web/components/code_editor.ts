@@ -1,14 +1,18 @@
 // CodeMirror as an editor of JavaScript with one line marked as wrong. Tab leaves it (Escape is not
 // needed). A page takes it as a script of its own, since it is large.
 import { javascript } from '@codemirror/lang-javascript';
-import { StateEffect, StateField, type Text } from '@codemirror/state';
+import { syntaxHighlighting } from '@codemirror/language';
+import { Compartment, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
+import { classHighlighter } from '@lezer/highlight';
 import { basicSetup } from 'codemirror';
 
 export interface CodeEditor {
   show(text: string): void;
   /** 1, 2, ...; 0: none. */
   mark(line: number): void;
+  /** Letters on a dark ground. */
+  darken(dark: boolean): void;
   destroy(): void;
 }
 
@@ -29,6 +33,9 @@ const marked = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+const ground = new Compartment();
+const groundOf = (dark: boolean) => EditorView.theme({}, { dark });
+
 export function codeEditor(
   parent: HTMLElement,
   text: string,
@@ -41,6 +48,8 @@ export function codeEditor(
     extensions: [
       basicSetup,
       javascript(),
+      syntaxHighlighting(classHighlighter),
+      ground.of(groundOf(false)),
       marked,
       EditorView.contentAttributes.of({ 'aria-label': label }),
       EditorView.updateListener.of((update) => {
@@ -55,6 +64,7 @@ export function codeEditor(
         view.dispatch({ changes: { from: 0, to: doc.length, insert: now } });
     },
     mark: (line) => view.dispatch({ effects: mark.of(line) }),
+    darken: (dark) => view.dispatch({ effects: ground.reconfigure(groundOf(dark)) }),
     destroy: () => view.destroy(),
   };
 }

@@ -21,6 +21,7 @@ const japanese: Readonly<Record<string, string>> = {
   quake: 'Quake のソートされたスパン：BSP 木によるキー (1996)',
   roberts: 'Roberts 1963：すべての線とすべての凸立体',
   appel: 'Appel 1967：不可視度',
+  played: 'プログラムのステップ',
   'floating-horizon': '浮動水平線 (Williamson 1972、Wright 1973)',
 };
 
