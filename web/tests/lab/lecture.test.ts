@@ -26,10 +26,11 @@ const parts = (link: string) => new URLSearchParams(link.slice(1));
 const option = (command: string, name: string): string | null =>
   new RegExp(`--${name} (\\S+)`).exec(command)?.[1] ?? null;
 
-const english = blocksOf(lecture('lecture.md'));
+const lectures = ['lecture.md', 'lecture.ja.md'];
+const everyLink = lectures.flatMap((name) => blocksOf(lecture(name)).flatMap((b) => b.links));
 
 describe("the lecture's links into the lab", () => {
-  it.each(['lecture.md', 'lecture.ja.md'])('%s has one for every command', (name) => {
+  it.each(lectures)('%s has one for every command', (name) => {
     const blocks = blocksOf(lecture(name));
     expect(blocks.length).toBeGreaterThan(8);
     for (const { commands, links } of blocks) {
@@ -47,13 +48,14 @@ describe("the lecture's links into the lab", () => {
   });
 
   inChromium();
-  it.each(english.flatMap((block) => block.links))('opens %s', async (link) => {
+  it.each(everyLink)('opens %s', async (link) => {
     await open(link);
     await thePage().waitForSelector('canvas');
     expect(await thePage().$('[role=alert]')).toBeNull();
     const wanted = parts(link);
     const shown = await thePage().evaluate(() => ({
       exhibit: new URLSearchParams(location.hash.slice(1)).get('exhibit'),
+      language: document.documentElement.lang,
       scene: document.querySelector<HTMLSelectElement>('select.scene')!.value,
       size: document.querySelector<HTMLSelectElement>('select.size')!.value,
       algorithms: [...document.querySelectorAll<HTMLSelectElement>('select.algorithm')]
@@ -62,6 +64,7 @@ describe("the lecture's links into the lab", () => {
       samples: document.querySelector<HTMLInputElement>('input.samples')?.value ?? null,
     }));
     expect(shown.exhibit).toBe(wanted.get('exhibit'));
+    if (wanted.has('lang')) expect(shown.language).toBe(wanted.get('lang'));
     if (wanted.has('scene')) expect(shown.scene).toBe(wanted.get('scene'));
     if (wanted.has('size')) expect(shown.size).toBe(wanted.get('size'));
     if (wanted.has('algorithm'))
