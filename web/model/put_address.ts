@@ -1,11 +1,15 @@
-// Puts a page's state into its address. Browsers refuse more than 200 changes in ten seconds, and a
-// log that is played makes 60 in one. So changes wait for their turn; the last always gets it.
-const interval = 60;
+// Puts a page's state into its address. A change costs the browser up to 10 ms, and it refuses more
+// than 200 in ten seconds; a hand that turns the eye makes 60 in one. So changes wait for their turn,
+// the longer the longer they go on; the last always gets it.
+const [least, most] = [60, 240]; // milliseconds
+let interval = least;
 let last = -Infinity;
 let waiting: string | undefined;
 
 function put(address: string): void {
-  last = performance.now();
+  const now = performance.now();
+  interval = now - last < 2 * interval ? Math.min(most, 1.2 * interval) : least;
+  last = now;
   if (address !== location.hash) history.replaceState(null, '', address);
 }
 

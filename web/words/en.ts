@@ -239,6 +239,7 @@ export const en = {
   lab_level_span: 'span',
   lab_level_pixel: 'pixel',
   lab_eq1: 'Eq. 1: everything in one pass',
+  lab_every_fourth: 'while the eye turns: every fourth picture',
   lab_eq2: 'Eq. 2: the sum after pass {0} of {1}',
   lab_eq2_all: 'Eq. 2: the sum of all passes',
   lab_only_change: 'only the change',

@@ -65,8 +65,8 @@ it('plays, and stops where it is', async () => {
   await thePage().waitForFunction(() => Number(/shots=(\d+)/.exec(location.hash)?.[1] ?? 0) >= 3);
   await thePage().click('button.stop');
   await thePage().waitForSelector('button.play');
-  const shots = Number(/shots=(\d+)/.exec(await thePage().evaluate(() => location.hash))![1]);
-  await says(`shot ${shots}:`);
+  const shots = /shot (\d+):/.exec(await text('.state'))![1]!;
+  await thePage().waitForFunction((n) => location.hash.includes(`shots=${n}`), {}, shots);
 });
 
 it('changes a reflectance, goes on, and solves anew beside it', async () => {
