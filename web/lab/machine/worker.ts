@@ -177,13 +177,19 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
   },
 };
 
+/** The engine answers its refusals itself; a number is an exception for which text found no room. */
+function reasonOf(error: unknown): string {
+  if (typeof error === 'number') return 'not enough memory; expected a smaller scene or picture';
+  return error instanceof Error ? error.message : String(error);
+}
+
 async function take({ number, method, values }: Request): Promise<void> {
   const answer = (rest: Omit<Answer, 'number'>) => self.postMessage({ number, ...rest });
   try {
     const call = methods[method] as (...values: readonly unknown[]) => unknown;
     answer({ value: await call(...values) });
   } catch (error) {
-    answer({ error: error instanceof Error ? error.message : String(error) });
+    answer({ error: reasonOf(error) });
   }
 }
 
