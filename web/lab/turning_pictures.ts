@@ -1,6 +1,6 @@
 // Pictures of a turning eye, from two machines in turn: while one draws, the other one begins the
 // next. Only the newest wish waits; a picture that is ready after a later one is dropped. Eq. 1 has
-// every fourth eye only, so that eq. 2 has most of the time.
+// every fourth eye only, so that eq. 2 has most of the time. What is too slow is drawn with less.
 import type { Machine } from './machine/machine';
 import type { PassesOptions } from './machine/protocol';
 
@@ -8,6 +8,16 @@ export interface Turned {
   /** By eq. 1. None: the machine cannot. */
   readonly one: Uint8Array | undefined;
   readonly many: Uint8Array | undefined;
+  /** Whether `many` has one sample and no rays, because the whole takes too long. */
+  readonly less: boolean;
+}
+
+/** Milliseconds for a picture by eq. 2. */
+const tooLong = 100;
+
+/** An own list says itself where rays come in. */
+function withLess(wish: PassesOptions): PassesOptions {
+  return { ...wish, samples: 1, reflections: wish.list ? wish.reflections : 'maps' };
 }
 
 export class TurningPictures {
@@ -17,6 +27,7 @@ export class TurningPictures {
   private asked = 0;
   private shown = 0;
   private one: Uint8Array | undefined;
+  private slow = false;
 
   constructor(
     private readonly machine: Machine,
@@ -38,6 +49,11 @@ export class TurningPictures {
     this.shown = this.asked;
     this.one = undefined;
     this.show(undefined);
+  }
+
+  /** The next pictures are of other options: they are whole, unless they take too long. */
+  startAnew(): void {
+    this.slow = false;
   }
 
   /** Ends the second machine; the next wish begins another. */
@@ -63,11 +79,14 @@ export class TurningPictures {
       const number = ++this.asked;
       try {
         const one = number % 4 === 1 ? await this.inOnePass(machine, wish) : undefined;
-        const { picture } = await machine.ask('draw', wish);
+        const less = this.slow;
+        const begun = performance.now();
+        const { picture } = await machine.ask('draw', less ? withLess(wish) : wish);
+        if (performance.now() - begun > tooLong) this.slow = true;
         if (number <= this.shown) continue;
         this.shown = number;
         this.one = one ?? this.one;
-        this.show({ one: this.one, many: picture });
+        this.show({ one: this.one, many: picture, less });
       } catch {
         // The whole run, which follows, says why.
       }

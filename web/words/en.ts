@@ -240,6 +240,7 @@ export const en = {
   lab_level_pixel: 'pixel',
   lab_eq1: 'Eq. 1: everything in one pass',
   lab_every_fourth: 'while the eye turns: every fourth picture',
+  lab_less_while_turning: 'while the eye turns: one sample, no rays',
   lab_eq2: 'Eq. 2: the sum after pass {0} of {1}',
   lab_eq2_all: 'Eq. 2: the sum of all passes',
   lab_only_change: 'only the change',

@@ -239,6 +239,7 @@ export const ja: Words = {
   lab_level_pixel: '画素',
   lab_eq1: '式1：すべてを1パスで',
   lab_every_fourth: '視点の移動中：4 枚に 1 枚',
+  lab_less_while_turning: '視点の移動中：1 サンプル、レイなし',
   lab_eq2: '式2：パス {0}/{1} までの和',
   lab_eq2_all: '式2：すべてのパスの和',
   lab_only_change: '変化だけ',

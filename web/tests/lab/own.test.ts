@@ -35,7 +35,7 @@ it('runs what is typed', async () => {
     {},
     before,
   );
-  expect(await thePage().evaluate(() => location.hash)).toContain('code=');
+  await thePage().waitForFunction(() => location.hash.includes('code='));
 });
 
 it('marks the line of an error', async () => {

@@ -88,9 +88,8 @@ it('takes samples from the slider and keeps all in the link', async () => {
     one,
   );
   await thePage().click('.plane-accum');
-  const address = await thePage().evaluate(() => location.hash);
-  expect(address).toContain('samples=2');
-  expect(address).toContain('view=accum');
+  await thePage().waitForFunction(() => location.hash.includes('view=accum'));
+  expect(await thePage().evaluate(() => location.hash)).toContain('samples=2');
   await thePage().reload();
   await thePage().waitForSelector('.plane-accum[aria-pressed=true]');
   expect(await count()).toBeGreaterThan(one);
@@ -133,13 +132,33 @@ it('turns the eye with whole pictures, and shows all passes when it rests', asyn
   expect(rested).toEqual(drawn);
 });
 
+it('turns the eye with less, if the whole takes too long, and says so', async () => {
+  await begin('&scene=fig9.toml&size=640x480');
+  const below = () =>
+    thePage().$eval('figure.many .below', (e) => (e as HTMLElement).innerText.trim());
+  expect(await below()).not.toContain('no rays');
+  await thePage().$eval('figure.many', (e) => e.scrollIntoView());
+  const box = (await (await thePage().$('figure.many .stack'))!.boundingBox())!;
+  await thePage().mouse.move(box.x + 200, box.y + 200);
+  await thePage().mouse.down();
+  let less = false;
+  for (let step = 0; step < 400 && !less; ++step) {
+    await thePage().mouse.move(box.x + 200 + 20 * Math.sin(step / 10), box.y + 200);
+    less = (await below()).includes('one sample, no rays');
+  }
+  expect(less).toBe(true);
+  await thePage().mouse.up();
+  await thePage().waitForSelector('figure.plane:not(.old)');
+  expect(await below()).not.toContain('no rays');
+});
+
 it('shows the history of a pixel that is clicked', async () => {
   await begin('&scene=rings.toml');
   await thePage().click('figure.many .stack');
   await thePage().waitForSelector('.history table');
   expect(await text('.history thead')).toContain('outcome');
   expect((await text('.history tbody')).length).toBeGreaterThan(10);
-  expect(await thePage().evaluate(() => location.hash)).toMatch(/pixel=\d+,\d+/);
+  await thePage().waitForFunction(() => /pixel=\d+,\d+/.test(location.hash));
 });
 
 it('walks around shadow volumes', async () => {

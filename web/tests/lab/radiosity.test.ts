@@ -101,8 +101,9 @@ it('changes a reflectance, goes on, and solves anew beside it', async () => {
     {},
     Number(/([\d.]+) % unshot/.exec(goneOn)![1]),
   );
-  const address = await thePage().evaluate(() => location.hash);
-  expect(address).toContain('change=2%3Aleft_wall%3AKd%3A0.1,0.2,0.9');
+  await thePage().waitForFunction(() =>
+    location.hash.includes('change=2%3Aleft_wall%3AKd%3A0.1,0.2,0.9'),
+  );
   const picture = await pixels('lit');
   await thePage().reload();
   await thePage().waitForSelector('circle.change');
@@ -130,7 +131,7 @@ it('moves an object, and goes on', async () => {
     {},
     before,
   );
-  expect(await thePage().evaluate(() => location.hash)).toContain('move%3A-0.2,0,0');
+  await thePage().waitForFunction(() => location.hash.includes('move%3A-0.2,0,0'));
 });
 
 it('is brighter with more exposure', async () => {

@@ -104,7 +104,7 @@ it('follows the ray of the pixel under the mouse, and of both renderers', async 
     {},
     rest.length,
   );
-  expect(await hash()).toContain('ray=ordinary');
+  await thePage().waitForFunction(() => location.hash.includes('ray=ordinary'));
   // A corner of the picture: a wall, which is not traced.
   await thePage().keyboard.press('r');
   const box = (await (await thePage().$('figure.passes .stack'))!.boundingBox())!;
@@ -210,7 +210,7 @@ it('shows the voxels of a ray, and the costs of every method', async () => {
   await thePage().waitForSelector('figure.cast-space path.box');
   const boxes = await thePage().$$eval('figure.cast-space path.box', (all) => all.length);
   expect(await text('figure.cast-space figcaption')).toContain(`${boxes} voxels`);
-  expect(await hash()).toContain('open=cast');
+  await thePage().waitForFunction(() => location.hash.includes('open=cast'));
 });
 
 it('refuses to cast rays for too long, and goes on', async () => {
