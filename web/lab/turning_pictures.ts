@@ -17,7 +17,7 @@ const tooLong = 100;
 
 /** An own list says itself where rays come in. */
 function withLess(wish: PassesOptions): PassesOptions {
-  return { ...wish, samples: 1, reflections: wish.list ? wish.reflections : 'maps' };
+  return { ...wish, samples: 1, ...(wish.list ? {} : { reflections: 'maps' }) };
 }
 
 export class TurningPictures {

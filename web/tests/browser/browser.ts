@@ -70,8 +70,16 @@ export class Pages {
   textsOf(selector: string): Promise<string[]> {
     return this.page.$$eval(selector, (all) => all.map((e) => e.textContent?.trim() ?? ''));
   }
+  /** The address, when it has taken all changes: they wait for at most 240 ms (put_address.ts). */
   hash(): Promise<string> {
-    return this.page.evaluate(() => location.hash);
+    return this.page.evaluate(async () => {
+      let before: string;
+      do {
+        before = location.hash;
+        await new Promise((done) => setTimeout(done, 300));
+      } while (location.hash !== before);
+      return before;
+    });
   }
   /** The colour of a pixel of a canvas. */
   colorAt(x: number, y: number, canvas = 0): Promise<number[]> {
