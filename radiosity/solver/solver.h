@@ -99,7 +99,7 @@ private:
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;
     Rows rows_;
-    PatchRows drawn_;              ///< the last rows that were not kept when they were asked for
+    PatchRows drawn_;              ///< the last rows that were not kept yet
     std::vector<dvec3> incoming_;  ///< flux to each element, in the shot in progress
 };
 
