@@ -42,13 +42,19 @@ struct Affine {
     }
 };
 
+/// No pixel's centre is on a side between texels, where rounding decides: of a texture of 16 texels it
+/// is an odd multiple of 1/96 and 1/80 texel away.
+constexpr GLfloat s_of_x = 65.0f / 32, t_of_y = 33.0f / 32;
+static_assert(window_width == 48 && window_height == 40);
+
 Corner corner_at(Random& random, const Affine* affine, GLfloat x, GLfloat y) {
     Corner out;
     out.position = {x, y, affine ? affine->at(4, x, y) - 0.5f : some_depth(random)};
     out.color = some_color(random);
     if (affine)
         for (std::size_t i = 0; i < 4; ++i) out.color[i] = affine->at(i, x, y);
-    out.texcoord = {affine ? 2 * x : fraction(random, -1, 2), affine ? y : fraction(random, -1, 2)};
+    out.texcoord = {affine ? s_of_x * x : fraction(random, -1, 2),
+                    affine ? t_of_y * y : fraction(random, -1, 2)};
     out.normal = {affine ? 0.36f : GLfloat(random.real(-1, 1)),
                   affine ? 0.48f : GLfloat(random.real(-1, 1)), affine ? 0.8f : 1.0f};
     out.edge = random.chance(75) ? GL_TRUE : GL_FALSE;

@@ -75,15 +75,18 @@ void set_environment(const Gl& gl, Random& random, Results&) {
     gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, some_color(random).data());
 }
 
+/// Both planes: with the first ones, centres of pixels would be on the sides of texels.
 void set_generation(const Gl& gl, Random& random, Results&) {
     const GLenum coord = random.chance(50) ? GL_S : GL_T;
     const GLenum cap = coord == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
     random.chance(60) ? gl.Enable(cap) : gl.Disable(cap);
     gl.TexGeni(coord, GL_TEXTURE_GEN_MODE,
                random.pick<GLint>({GL_OBJECT_LINEAR, GL_EYE_LINEAR, GL_SPHERE_MAP}));
-    const auto a = GLfloat(random.real(-1, 1)), b = GLfloat(random.real(-1, 1));
-    const GLfloat plane[] = {a, b, GLfloat(random.real(-1, 1)), GLfloat(random.real(0, 1))};
-    gl.TexGenfv(coord, random.chance(50) ? GL_OBJECT_PLANE : GL_EYE_PLANE, plane);
+    for (const GLenum name : {GL_OBJECT_PLANE, GL_EYE_PLANE}) {
+        const auto a = GLfloat(random.real(-1, 1)), b = GLfloat(random.real(-1, 1));
+        const GLfloat plane[] = {a, b, GLfloat(random.real(-1, 1)), GLfloat(random.real(0, 1))};
+        gl.TexGenfv(coord, name, plane);
+    }
 }
 
 void set_matrix(const Gl& gl, Random& random, Results&) {
