@@ -104,9 +104,17 @@ gw::TexEnv tex_env(GLenum mode) {
     return gw::TexEnv::Modulate;
 }
 
+/// Depths 2^-40 nearer to the middle: what is drawn on the near or far plane stays inside, although
+/// the matrix is rounded.
+dmat4 with_room_for_rounding(dmat4 projection) {
+    for (int column = 0; column < 4; ++column) projection[column][2] *= 1 - 0x1p-40;
+    return projection;
+}
+
 void set_transform(gw::State& out, const Context& c) {
     const State& s = c.state;
-    if (is_finite(c.matrices.projection.top())) out.projection = c.matrices.projection.top();
+    if (is_finite(c.matrices.projection.top()))
+        out.projection = with_room_for_rounding(c.matrices.projection.top());
     out.normalize = s.transform.normalize;
     if (!is_empty(s.viewport))
         out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};

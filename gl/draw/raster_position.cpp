@@ -15,10 +15,12 @@ namespace gw::gl {
 
 namespace {
 
-/// [GL11] 2.11: inside the view volume, its sides too, which the machine does not clip at.
+/// [GL11] 2.11: inside the view volume, its sides too, which the machine does not clip at. On a side
+/// is inside, although the matrices are rounded.
 bool is_inside(const Vertex& v) {
     const dvec4& p = v.clip;
-    return std::abs(p.x) <= p.w && std::abs(p.y) <= p.w && std::abs(p.z) <= p.w;
+    const double most = p.w * (1 + 0x1p-40);
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
 }
 
 double eye_depth(const Context& c, const dvec4& p) {

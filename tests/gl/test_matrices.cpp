@@ -127,6 +127,37 @@ TEST(GlMatrices, OrthoAndFrustum) {
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
 }
 
+TEST(GlMatrices, WhatLiesOnTheNearOrFarPlaneIsInside) {
+    Window window;
+    const auto is_drawn = [&](double depth, double eye_z) {
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
+        glTranslated(0, 0, eye_z);
+        glClear(GL_COLOR_BUFFER_BIT);
+        glBegin(GL_QUADS);
+        for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}})
+            glVertex3d(x * depth, y * depth, -depth - eye_z);
+        glEnd();
+        glRasterPos3d(0, 0, -depth - eye_z);
+        GLboolean valid = GL_FALSE;
+        glGetBooleanv(GL_CURRENT_RASTER_POSITION_VALID, &valid);
+        return valid && window.pixel(16, 16)[0] == 255;
+    };
+    for (const double near : {0.015625, 0.25, 1.0, 1.5, 3.0, 10.0})
+        for (const double far : {20.0, 50.0, 100.0, 256.0, 1000.0, 100000.0})
+            for (const auto& set : {glFrustum, glOrtho})
+                for (const double eye_z : {0.0, -0.25, -8.0}) {
+                    SCOPED_TRACE(testing::Message() << near << " to " << far << ", " << eye_z);
+                    glMatrixMode(GL_PROJECTION);
+                    glLoadIdentity();
+                    set(-near, near, -near, near, near, far);
+                    EXPECT_TRUE(is_drawn(near, eye_z));
+                    EXPECT_TRUE(is_drawn(far, eye_z));
+                    EXPECT_FALSE(is_drawn(near * (1 - 1e-3), eye_z));
+                    EXPECT_FALSE(is_drawn(far * (1 + 1e-3), eye_z));
+                }
+}
+
 TEST(GlMatrices, StacksHaveTheirDepths) {
     const Window window;
     for (const Stack& stack : stacks) {
