@@ -260,6 +260,10 @@ void draw_lit_shape(const Gl& gl, Random& random, Results& out) {
     gl.Enable(GL_LIGHTING);
     gl.Enable(GL_NORMALIZE);  // highlights of longer normals end at 1 here
     draw_shapes(gl, random, out, true);
+    // OpenGL leaves colours, and so materials, open after DrawArrays. Mesa's materials follow when asked.
+    std::array<GLfloat, 4> color{1, 0.5f, 0.25f, 1};
+    gl.Color4fv(color.data());
+    gl.GetFloatv(GL_CURRENT_COLOR, color.data());
     gl.Disable(GL_LIGHTING);
 }
 
