@@ -23,6 +23,10 @@ bool is_inside(const Vertex& v) {
     return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
 }
 
+/// The nearest multiple of 2^-12 pixel: a position between two pixels stays there, although the
+/// matrices are rounded. Else a bitmap may be one pixel off.
+double on_grid(double pixels) { return std::floor(pixels * 0x1p12 + 0.5) * 0x1p-12; }
+
 double eye_depth(const Context& c, const dvec4& p) {
     const dvec4 eye = transform(c.matrices.modelview.top(), p);
     return eye_point(eye).z;
@@ -52,8 +56,8 @@ void raster_pos(Context& c, double x, double y, double z, double w) {
     if (!raster.valid) return;
     const double n = state.depth_range.near_value, f = state.depth_range.far_value;
     const double cw = vertex.clip.w;
-    raster.position = {(vertex.clip.x / cw) * viewport.half_width + viewport.center_x,
-                       (vertex.clip.y / cw) * viewport.half_height + viewport.center_y,
+    raster.position = {on_grid((vertex.clip.x / cw) * viewport.half_width + viewport.center_x),
+                       on_grid((vertex.clip.y / cw) * viewport.half_height + viewport.center_y),
                        (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
     raster.distance = finite(std::abs(eye_depth(c, {x, y, z, w})));
     const auto largest = float((1u << c.profile.color_bits) - 1);

@@ -92,6 +92,19 @@ TEST(GlPixels, BitmapsDrawTheirBitsAndMoveTheRasterPosition) {
 }
 
 /// [GL11] 4.3.2: components are clamped at the end, floats too.
+TEST(GlPixels, BitmapsAtWholePixelsAreNotOneOff) {
+    constexpr GLubyte row = 0x80;
+    for (const int height : {32, 48, 75, 120, 240, 300}) {
+        Window window(2, height);
+        use_pixel_coordinates(window);
+        for (int y = 0; y < height; ++y) {
+            glRasterPos2i(1, y);
+            glBitmap(1, 1, 0, 0, 0, 0, &row);
+            EXPECT_EQ(window.pixel(1, y)[0], 255) << y << " of " << height;
+        }
+    }
+}
+
 TEST(GlPixels, LuminanceIsTheSumOfColoursUpTo1) {
     const Window window;
     glClearColor(0.25f, 0.5f, 0.125f, 0.5f);
