@@ -10,7 +10,9 @@
 
 #include "gw/fast/shade/texels-inl.h"
 
+#include <algorithm>
 #include <bit>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -24,13 +26,15 @@ struct Coordinates {
     VI u_k, v_k;
 };
 
-/// One draw's texture, for look-ups in vectors.
+/// One draw's texture, for look-ups in vectors. `Found` is what a look-up gives: TexelWords for 8
+/// bits, else TexelLanes.
 struct Sampler {
     const FastTexels& texels;
-    const TexelPairs* pairs;  ///< null: more than 8 bits
+    const TexelPairs* pairs;  ///< null: more than 8 bits, or no filter is linear
     const TextureState& state;
     int bits;
 
+    bool has_bytes() const { return !texels.packed.empty(); }
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
     /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; the scaled u is
@@ -100,6 +104,8 @@ struct Sampler {
     HWY_INLINE Level level(VI index) const {
         const I32 i;
         const auto zero = hn::Zero(i);
+        if (const int one = hn::GetLane(index); hn::AllTrue(i, hn::Eq(index, hn::Set(i, one))))
+            return level_of_all(one);
         const auto first = hn::GatherIndex(i, texels.first.data(), index);
         return {hn::Max(hn::Sub(hn::Set(i, base().log2_width), index), zero),
                 hn::Max(hn::Sub(hn::Set(i, base().log2_height), index), zero), first,
@@ -107,16 +113,32 @@ struct Sampler {
     }
 
     /// lookup() of gw/stages/texels.h in the lanes' own levels.
-    HWY_INLINE TexelLanes lookup(const Coordinates& at, const Level& level, bool linear) const {
+    template <class Found>
+    HWY_INLINE Found lookup(const Coordinates& at, const Level& level, bool linear) const {
         const auto u = coordinate(at.u, at.u_k, level.log2_w),
                    v = coordinate(at.v, at.v_k, level.log2_h);
-        if (linear) return mean(u, v, level);
+        if (linear) return mean<Found>(u, v, level);
         const auto row = hn::Shl(row_of(level, hn::ShiftRight<8>(v)), level.log2_w);
-        return fetch(texels,
-                     hn::Add(hn::Add(level.first, row), column_of(level, hn::ShiftRight<8>(u))));
+        return fetch<Found>(
+            hn::Add(hn::Add(level.first, row), column_of(level, hn::ShiftRight<8>(u))));
     }
 
 private:
+    /// Without gathers, which are slow.
+    HWY_INLINE Level level_of_all(int index) const {
+        const I32 i;
+        const auto k = std::size_t(index);
+        return {hn::Set(i, std::max(base().log2_width - index, 0)),
+                hn::Set(i, std::max(base().log2_height - index, 0)), hn::Set(i, texels.first[k]),
+                hn::Set(i, pairs ? pairs->first[k] : texels.first[k])};
+    }
+    template <class Found>
+    HWY_INLINE Found fetch(VI index) const {
+        if constexpr (std::is_same_v<Found, TexelWords>)
+            return fetch_bytes(texels, index);
+        else
+            return fetch_wide(texels, index);
+    }
     HWY_INLINE VI column_of(const Level& level, VI x) const {
         const auto one = hn::Set(I32(), 1);
         return wrapped(state.wrap_s, x, hn::Sub(hn::Shl(one, level.log2_w), one));
@@ -126,31 +148,39 @@ private:
         return wrapped(state.wrap_t, y, hn::Sub(hn::Shl(one, level.log2_h), one));
     }
     /// The mean of the four texels around a position.
-    HWY_INLINE TexelLanes mean(VI u, VI v, const Level& level) const {
-        const I32 i;
-        u = hn::Sub(u, hn::Set(i, 128));
-        v = hn::Sub(v, hn::Set(i, 128));
-        const auto one = hn::Set(i, 1);
-        if (pairs) {
-            const Place s = place(pairs->how.wrap_s, u, hn::Shl(one, level.log2_w)),
-                        t = place(pairs->how.wrap_t, v, hn::Shl(one, level.log2_h));
-            const auto index =
-                hn::Add(level.first_pair, pair_index(*pairs, t.index, s.index, level.log2_w));
-            return bilinear_bytes(load_corners(pairs->pairs.data(), index), s.weight, t.weight)
-                .channels();
-        }
+    template <class Found>
+    HWY_INLINE Found mean(VI u, VI v, const Level& level) const {
+        const auto half = hn::Set(I32(), 128);
+        u = hn::Sub(u, half);
+        v = hn::Sub(v, half);
+        if constexpr (std::is_same_v<Found, TexelWords>)
+            return mean_of_bytes(u, v, level);
+        else
+            return mean_of_wide(u, v, level);
+    }
+    HWY_INLINE TexelWords mean_of_bytes(VI u, VI v, const Level& level) const {
+        const auto one = hn::Set(I32(), 1);
+        const Place s = place(pairs->how.wrap_s, u, hn::Shl(one, level.log2_w)),
+                    t = place(pairs->how.wrap_t, v, hn::Shl(one, level.log2_h));
+        const auto index =
+            hn::Add(level.first_pair, pair_index(*pairs, t.index, s.index, level.log2_w));
+        return bilinear_bytes(load_corners(pairs->pairs.data(), index), s.weight, t.weight);
+    }
+    HWY_INLINE TexelLanes mean_of_wide(VI u, VI v, const Level& level) const {
+        const auto one = hn::Set(I32(), 1);
         const auto x = hn::ShiftRight<8>(u), y = hn::ShiftRight<8>(v);
         const auto wx = weight(state.wrap_s, u, x), wy = weight(state.wrap_t, v, y);
         const auto left = column_of(level, x), low = row_of(level, y);
         const auto right = column_of(level, hn::Add(x, one)), high = row_of(level, hn::Add(y, one));
         const auto start = [&](VI row) { return hn::Add(level.first, hn::Shl(row, level.log2_w)); };
-        return mean_of_wide(left, right, start(low), start(high), wx, wy);
+        return mean_of_corners(left, right, start(low), start(high), wx, wy);
     }
-    HWY_INLINE TexelLanes mean_of_wide(VI left, VI right, VI low, VI high, V32 wx, V32 wy) const {
-        const TexelLanes a = fetch(texels, hn::Add(low, left)),
-                         b = fetch(texels, hn::Add(low, right));
-        const TexelLanes c = fetch(texels, hn::Add(high, left)),
-                         e = fetch(texels, hn::Add(high, right));
+    HWY_INLINE TexelLanes mean_of_corners(VI left, VI right, VI low, VI high, V32 wx,
+                                          V32 wy) const {
+        const TexelLanes a = fetch_wide(texels, hn::Add(low, left)),
+                         b = fetch_wide(texels, hn::Add(low, right));
+        const TexelLanes c = fetch_wide(texels, hn::Add(high, left)),
+                         e = fetch_wide(texels, hn::Add(high, right));
         TexelLanes out;
         for (std::size_t k = 0; k < 4; ++k)
             out.channel[k] =

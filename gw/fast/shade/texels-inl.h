@@ -22,18 +22,9 @@ struct TexelLanes {
     V32 channel[4];
 };
 
-HWY_INLINE TexelLanes fetch(const FastTexels& t, VI index) {
+HWY_INLINE TexelLanes fetch_wide(const FastTexels& t, VI index) {
     const D32 d;
     TexelLanes out;
-    if (!t.packed.empty()) {
-        const auto v = hn::GatherIndex(d, t.packed.data(), index);
-        const auto byte = hn::Set(d, 255u);
-        out.channel[0] = hn::And(v, byte);
-        out.channel[1] = hn::And(hn::ShiftRight<8>(v), byte);
-        out.channel[2] = hn::And(hn::ShiftRight<16>(v), byte);
-        out.channel[3] = hn::ShiftRight<24>(v);
-        return out;
-    }
     const auto* base = reinterpret_cast<const std::uint32_t*>(t.wide.data());
     const auto two = hn::Add(index, index);
     const auto rg = hn::GatherIndex(d, base, two),
@@ -71,6 +62,13 @@ struct TexelWords {
             {hn::And(rb, low), hn::And(ga, low), hn::ShiftRight<16>(rb), hn::ShiftRight<16>(ga)}};
     }
 };
+
+HWY_INLINE TexelWords fetch_bytes(const FastTexels& t, VI index) {
+    const D32 d;
+    const auto bytes = hn::Set(d, 0x00FF00FFu);
+    const auto v = hn::GatherIndex(d, t.packed.data(), index);
+    return {hn::And(v, bytes), hn::And(hn::ShiftRight<8>(v), bytes)};
+}
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -124,6 +122,54 @@ HWY_INLINE TexelWords bilinear_bytes(const PackedCorners& t, V32 wx, V32 wy) {
 }
 
 #endif  // HWY_TARGET == HWY_SCALAR
+
+/// between_levels() of gw/stages/texels.h.
+HWY_INLINE TexelLanes between_levels(const TexelLanes& a, const TexelLanes& b, V32 weight) {
+    const I32 i;
+    const auto f = hn::BitCast(i, weight), half = hn::Set(i, 128);
+    TexelLanes out;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto from = hn::BitCast(i, a.channel[k]), to = hn::BitCast(i, b.channel[k]);
+        const auto step = hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(to, from), f), half));
+        out.channel[k] = hn::BitCast(D32(), hn::Add(from, step));
+    }
+    return out;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+HWY_INLINE TexelWords between_levels(const TexelWords& a, const TexelWords& b, V32 weight) {
+    const TexelLanes t = between_levels(a.channels(), b.channels(), weight);
+    return {hn::Or(t.channel[0], hn::ShiftLeft<16>(t.channel[2])),
+            hn::Or(t.channel[1], hn::ShiftLeft<16>(t.channel[3]))};
+}
+
+#else
+
+/// The same of bytes: (b - a) weight is a rounding 15-bit product, if the difference is scaled by 128.
+HWY_INLINE TexelWords between_levels(const TexelWords& a, const TexelWords& b, V32 weight) {
+    const hn::Repartition<std::int16_t, D32> h;
+    const auto f = hn::BitCast(h, hn::Or(weight, hn::ShiftLeft<16>(weight)));
+    const auto mix = [&](V32 from, V32 to) {
+        const auto p = hn::BitCast(h, from), q = hn::BitCast(h, to);
+        const auto step = hn::MulFixedPoint15(hn::ShiftLeft<7>(hn::Sub(q, p)), f);
+        return hn::BitCast(D32(), hn::Add(p, step));
+    };
+    return {mix(a.rb, b.rb), mix(a.ga, b.ga)};
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+/// The texels of `b` in the lanes of `mask`.
+HWY_INLINE TexelLanes chosen(hn::Mask<D32> mask, const TexelLanes& b, const TexelLanes& a) {
+    TexelLanes out;
+    for (std::size_t k = 0; k < 4; ++k)
+        out.channel[k] = hn::IfThenElse(mask, b.channel[k], a.channel[k]);
+    return out;
+}
+HWY_INLINE TexelWords chosen(hn::Mask<D32> mask, const TexelWords& b, const TexelWords& a) {
+    return {hn::IfThenElse(mask, b.rb, a.rb), hn::IfThenElse(mask, b.ga, a.ga)};
+}
 
 #if HWY_TARGET == HWY_SCALAR
 

@@ -113,29 +113,15 @@ HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
 }
 
 /// The lanes' texels, each at its level. Magnified and minified lanes have their own filters.
-HWY_INLINE TexelLanes sample_level(const Sampler& s, const Coordinates& at, VI index,
-                                   hn::Mask<I32> magnify) {
+template <class Found>
+HWY_INLINE Found sample_level(const Sampler& s, const Coordinates& at, VI index,
+                              hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
     const Sampler::Level level = s.level(index);
-    if (hn::AllTrue(I32(), magnify)) return s.lookup(at, level, large);
-    TexelLanes out = s.lookup(at, level, small);
+    if (hn::AllTrue(I32(), magnify)) return s.lookup<Found>(at, level, large);
+    const Found out = s.lookup<Found>(at, level, small);
     if (small == large || hn::AllFalse(I32(), magnify)) return out;
-    const TexelLanes other = s.lookup(at, level, large);
-    const auto chosen = hn::RebindMask(D32(), magnify);
-    for (std::size_t k = 0; k < 4; ++k)
-        out.channel[k] = hn::IfThenElse(chosen, other.channel[k], out.channel[k]);
-    return out;
-}
-
-/// between_levels() of gw/stages/texels.h.
-HWY_INLINE void mix_levels(TexelLanes& a, const TexelLanes& b, V32 weight) {
-    const I32 i;
-    const auto f = hn::BitCast(i, weight), half = hn::Set(i, 128);
-    for (std::size_t k = 0; k < 4; ++k) {
-        const auto from = hn::BitCast(i, a.channel[k]), to = hn::BitCast(i, b.channel[k]);
-        const auto step = hn::ShiftRight<8>(hn::Add(hn::Mul(hn::Sub(to, from), f), half));
-        a.channel[k] = hn::BitCast(D32(), hn::Add(from, step));
-    }
+    return chosen(hn::RebindMask(D32(), magnify), s.lookup<Found>(at, level, large), out);
 }
 
 HWY_INLINE VF rho_lanes(VF slope, VF w) {
@@ -191,6 +177,18 @@ struct LaneCoordinates {
     const float *u, *v, *rho;
     const std::int32_t *u_k, *v_k;
 };
+template <class Found>
+HWY_INLINE Found sample(const Sampler& s, const Coordinates& at, const float* rho) {
+    if (!needs_rho(s.state))
+        return s.lookup<Found>(at, s.base_level(), s.state.mag_filter == MagFilter::Linear);
+    const I32 d;
+    const LevelLanes l = choose_levels(s, hn::Load(F32(), rho));
+    const Found found = sample_level<Found>(s, at, l.level, l.magnify);
+    const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
+    if (hn::AllFalse(d, mixed)) return found;
+    return between_levels(found, sample_level<Found>(s, at, l.next, l.magnify), l.weight);
+}
+
 /// The texels of all lanes. Lanes with arbitrary coordinates get arbitrary texels.
 HWY_NOINLINE inline void sample_lanes(const Sampler& s, const LaneCoordinates& in,
                                       ColorBlock& out) {
@@ -199,16 +197,8 @@ HWY_NOINLINE inline void sample_lanes(const Sampler& s, const LaneCoordinates& i
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
                              hn::Load(d, in.v_k + i)};
-        TexelLanes texel;
-        if (!needs_rho(s.state)) {
-            texel = s.lookup(at, s.base_level(), s.state.mag_filter == MagFilter::Linear);
-        } else {
-            const LevelLanes l = choose_levels(s, hn::Load(f, in.rho + i));
-            texel = sample_level(s, at, l.level, l.magnify);
-            const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
-            if (!hn::AllFalse(d, mixed))
-                mix_levels(texel, sample_level(s, at, l.next, l.magnify), l.weight);
-        }
+        const TexelLanes texel = s.has_bytes() ? sample<TexelWords>(s, at, in.rho + i).channels()
+                                               : sample<TexelLanes>(s, at, in.rho + i);
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }
 }
