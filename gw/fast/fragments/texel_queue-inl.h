@@ -63,7 +63,7 @@ HWY_NOINLINE inline void let_wait(BatchPlanes& planes, std::size_t i, int bx, in
     planes.make();
     TextureLanes& at = planes.in.divided;
     divide_block(sampler_of(*planes.draw.op), planes.scratch.texture[i], planes.draw.tile, bx, by,
-                 alive, at);
+                 at);
     // Lane by lane: compressed stores of Highway copy a table on each call, if there is no AVX-512.
     for (std::uint32_t rest = alive; rest != 0; rest &= rest - 1, ++q.lanes) {
         const int lane = std::countr_zero(rest);

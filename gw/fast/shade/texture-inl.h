@@ -28,11 +28,11 @@ struct TextureInputs {
 
 /// The input of rho: the larger slope of each row and column. docs/manual.md, "Level of detail".
 HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
-                                      int bx, int by, std::uint32_t mask, float* slope) {
+                                      int bx, int by, float* slope) {
     const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
     const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
     const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
-    float row[block_side], column[block_side];
+    alignas(16) float row[block_side], column[block_side];
     for (int i = 0; i < block_side; ++i) {
         const int dx = tile.x + bx * block_side + i - p.slope_x,
                   dy = tile.y + by * block_side + i - p.slope_y;
@@ -43,10 +43,10 @@ HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, 
         row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
         column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
     }
-    for (; mask != 0; mask &= mask - 1) {
-        const auto lane = std::size_t(std::countr_zero(mask));
-        slope[lane] = std::max(row[lane / block_side], column[lane % block_side]);
-    }
+    const hn::CappedTag<float, block_side> f;
+    for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(f))
+        hn::Store(hn::Max(hn::Set(f, row[i / block_side]), hn::Load(f, column + i % block_side)), f,
+                  slope + i);
 }
 
 /// Puts the lanes of `mask`, which one primitive covers, into the inputs.
@@ -54,6 +54,9 @@ HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p
                                         int bx, int by, std::uint32_t mask, TextureInputs& out) {
     const D32 d;
     const I32 i32;
+    const F32 f;
+    alignas(64) float slope[block_pixels] = {};
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, slope);
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
         const auto lanes = lanes_of(d, mask, i);
@@ -65,8 +68,8 @@ HWY_NOINLINE inline void texture_inputs(const Sampler& s, const TexturePlanes& p
         store_lanes(hn::Set(i32, p.t.exponent), signed_lanes, i32, out.v_exponent + i);
         store_lanes(hn::Set(i32, p.s.k), signed_lanes, i32, out.u_k + i);
         store_lanes(hn::Set(i32, p.t.k), signed_lanes, i32, out.v_k + i);
+        store_lanes(hn::Load(f, slope + i), hn::RebindMask(f, lanes), f, out.slope + i);
     }
-    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, out.slope);
 }
 
 /// choose_level() of gw/stages/texels.h, lane by lane.
@@ -150,13 +153,13 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
     }
 }
 
-/// The same if one primitive covers the lanes of `mask`.
+/// The same if one primitive covers all lanes that count.
 HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
-                                      int bx, int by, std::uint32_t mask, TextureLanes& out) {
+                                      int bx, int by, TextureLanes& out) {
     const I32 d;
     const F32 f;
     alignas(64) float slope[block_pixels] = {};
-    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, mask, slope);
+    if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, slope);
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         const Pixels at = pixels_of(bx, by, i);
         const auto w = reciprocal_lanes(p.q, at);

@@ -165,7 +165,7 @@ struct Replay {
         const Sampler sampler = sampler_of(*draw.op);
         if (run.count == 1)
             divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run),
-                         run.mask, inputs.divided);
+                         inputs.divided);
         else {
             for (const VisibleBlock& entry : entries(run))
                 texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
