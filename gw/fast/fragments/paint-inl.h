@@ -101,15 +101,9 @@ struct SmoothPaint {
         planes.make();
         const NarrowBatch& p = planes.narrow_color;
         const PartStore put(store, bx, by, alive.bits());
-        for (std::size_t i = 0; i < parts; ++i)
-            for (std::size_t c = 0; c < 4; ++c) {
-                const auto coefficient = [&](const auto& of) {
-                    return hn::Set(D32(), of[c][triangle]);
-                };
-                put(c, i,
-                    narrow_value(coefficient(p.c), coefficient(p.gx), coefficient(p.gy),
-                                 pixels_of(bx, by, i * lanes32)));
-            }
+        for (std::size_t c = 0; c < 4; ++c)
+            narrow_block(p.c[c][triangle], p.gx[c][triangle], p.gy[c][triangle], bx, by,
+                         [&](std::size_t part, V32 value) { put(c, part, value); });
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         operator()(bx, by, lane_set(all_lanes));

@@ -77,16 +77,17 @@ struct NarrowLanes {
 /// Colour, and the fog factor if there are five channels, of triangle j of a batch.
 HWY_INLINE void narrow_colors(const NarrowBatch& p, std::size_t j, std::size_t channels, int bx,
                               int by, ShadeInputs& in) {
-    const D32 d;
-    for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const Pixels at = pixels_of(bx, by, i);
-        const auto value = [&](std::size_t k) {
-            return narrow_value(hn::Set(d, p.c[k][j]), hn::Set(d, p.gx[k][j]),
-                                hn::Set(d, p.gy[k][j]), at);
-        };
-        for (std::size_t k = 0; k < 4; ++k) store16(value(k), in.color.channel[k] + i);
-        if (channels == 5) hn::Store(value(4), d, in.fog + i);
-    }
+    const auto channel = [&](std::size_t k, const auto& put) {
+        narrow_block(p.c[k][j], p.gx[k][j], p.gy[k][j], bx, by, put);
+    };
+    for (std::size_t k = 0; k < 4; ++k)
+        channel(k, [&](std::size_t part, V32 value) {
+            store16(value, in.color.channel[k] + part * lanes32);
+        });
+    if (channels == 5)
+        channel(4, [&](std::size_t part, V32 value) {
+            hn::Store(value, D32(), in.fog + part * lanes32);
+        });
 }
 
 /// Stores the lanes of `mask`.

@@ -100,6 +100,24 @@ struct LaneCounter {
     }
 };
 
+/// A value of at most 16 bits on a whole block: put(part, values), from the lowest rows up.
+template <class Put>
+HWY_INLINE void narrow_block(std::uint32_t c, std::uint32_t gx, std::uint32_t gy, int bx, int by,
+                             const Put& put) {
+    const D32 d;
+    const auto all_c = hn::Set(d, c), all_gx = hn::Set(d, gx), all_gy = hn::Set(d, gy);
+    if constexpr (lanes32 < block_side) {
+        for (std::size_t part = 0; part < parts; ++part)
+            put(part, narrow_value(all_c, all_gx, all_gy, pixels_of(bx, by, part * lanes32)));
+        return;
+    }
+    const Pixels lowest = pixels_of(bx, by, 0);
+    auto sum = hn::Add(hn::Add(all_c, hn::Mul(all_gx, lowest.x)), hn::Mul(all_gy, lowest.y));
+    const auto up = hn::Set(d, gy * std::uint32_t(lanes32 / block_side));
+    for (std::size_t part = 0; part < parts; ++part, sum = hn::Add(sum, up))
+        put(part, hn::ShiftRight<16>(sum));
+}
+
 /// c + gx i + gy j, modulo 2^32, at any block.
 struct LinearLanes {
     std::uint32_t c, gx, gy;
