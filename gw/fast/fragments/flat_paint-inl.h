@@ -71,6 +71,21 @@ struct FlatPaint {
                         to);
         });
     }
+    /// The same to a block whose lanes have the values of `stored` so far.
+    HWY_INLINE void write_lanes(const ColorBlock& stored, ColorBlock& block,
+                                std::uint32_t mask) const {
+        constexpr std::size_t each = vectors < 4 ? 1 : vectors / 4;
+        const D d;
+        hn::Mask<D> lanes[each];
+        for (std::size_t k = 0; k < each; ++k)
+            lanes[k] = lanes_of(d, mask | mask << block_pixels, k * hn::Lanes(d));
+        for (std::size_t k = 0; k < vectors; ++k) {
+            const std::uint16_t* const from = stored.channel[0] + k * hn::Lanes(d);
+            const auto result = store.result(d, color[k], from);
+            hn::Store(hn::IfThenElse(lanes[k % each], result, hn::Load(d, from)), d,
+                      block.channel[0] + k * hn::Lanes(d));
+        }
+    }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
         for_each_vector(bx, by, [&](std::size_t, auto result, std::uint16_t* to) {
             hn::Store(result, D(), to);

@@ -75,6 +75,9 @@ struct BlockRange {
         return {t.x0[i] / block_side, t.y0[i] / block_side, (t.x1[i] - 1) / block_side,
                 (t.y1[i] - 1) / block_side};
     }
+    HWY_INLINE BlockRange with(const BlockRange& o) const {
+        return {std::min(x0, o.x0), std::min(y0, o.y0), std::max(x1, o.x1), std::max(y1, o.y1)};
+    }
     /// Whether it is no larger than a group.
     HWY_INLINE bool is_small() const { return x1 - x0 < group_blocks && y1 - y0 < group_blocks; }
     /// The squares that touch the range, of 4x4 squares of `step` blocks from block (x, y) on.

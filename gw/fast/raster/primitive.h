@@ -6,6 +6,7 @@
 #include "gw/fast/frame/tile_plane.h"
 #include "gw/stages/perspective.h"
 
+#include <algorithm>
 #include <bitset>
 
 namespace gw::fast {
@@ -89,8 +90,27 @@ struct TexelQueue {
     alignas(64) std::int32_t u_k[capacity + block_pixels], v_k[capacity + block_pixels];
 };
 
+/// Blocks all of whose pixels have one value, as of the uniform blocks read last.
+struct FilledBlocks {
+    ColorBlock color{};
+    DepthBlock depth{};
+
+    const ColorBlock& of_color(const Rgba& value) {
+        for (std::size_t c = 0; c < 4; ++c)
+            if (color.channel[c][0] != value[c])
+                std::fill(std::begin(color.channel[c]), std::end(color.channel[c]), value[c]);
+        return color;
+    }
+    const DepthBlock& of_depth(std::uint32_t value) {
+        if (depth.value[0] != value)
+            std::fill(std::begin(depth.value), std::end(depth.value), value);
+        return depth;
+    }
+};
+
 /// A batch's planes while it is drawn; each worker thread has one scratch.
 struct BatchScratch {
+    FilledBlocks filled;
     ColorPlanes color[batch_capacity];
     TexturePlanes texture[batch_capacity];
     TexelQueue queue;

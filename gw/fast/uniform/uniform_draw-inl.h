@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/fragments/simple_triangles-inl.h"
+#include "gw/fast/uniform/few_blocks-inl.h"
 #include "gw/fast/uniform/level_depth-inl.h"
 #include "gw/fast/uniform/sloping_depth-inl.h"
 
@@ -51,38 +52,8 @@ HWY_INLINE bool draws_uniform(const DrawOp& op, std::span<const std::uint32_t> b
     return all_level(*op.set, bin) || all_large(*op.set, bin, subpixel_bits);
 }
 
-/// Writes back a group's blocks that `blocks` has, a bit each; (x, y) is its lowest block.
-HWY_NOINLINE inline void write_back_group(const Tile& tile, int x, int y, std::uint32_t colors,
-                                          std::uint32_t depths) {
-    for (; colors != 0; colors &= colors - 1) {
-        const int i = std::countr_zero(colors);
-        write_back_color(tile, x + i % group_blocks, y + i / group_blocks);
-    }
-    for (; depths != 0; depths &= depths - 1) {
-        const int i = std::countr_zero(depths);
-        write_back_depth(tile, x + i % group_blocks, y + i / group_blocks);
-    }
-}
-
-/// Writes back the blocks of a range. has_uniform stays: other blocks may be uniform.
-HWY_INLINE void write_back_range(const Tile& tile, UniformPlanes which, const BlockRange& r) {
-    const UniformPlanes& has = *tile.has_uniform;
-    which = {which.color && has.color, which.depth && has.depth};
-    if (!which.color && !which.depth) return;
-    const int first = group_blocks - 1;
-    for (int y = r.y0 & ~first; y <= r.y1; y += group_blocks)
-        for (int x = r.x0 & ~first; x <= r.x1; x += group_blocks) {
-            const UniformGroup& group = tile.group(x, y);
-            const std::uint32_t blocks = r.squares(x, y, 1),
-                                colors = which.color ? group.one_color & blocks : 0,
-                                depths =
-                                    which.depth ? (group.one_depth | group.one_plane) & blocks : 0;
-            if ((colors | depths) != 0) write_back_group(tile, x, y, colors, depths);
-        }
-}
-
 struct NoColor {
-    HWY_INLINE static NoPaint pixels(const TileDraw&, const Rgba&) { return {}; }
+    using Few = FewUncolored;
     HWY_INLINE NoColor(const TileDraw&, const Rgba&) {}
     HWY_INLINE void operator()(int, int, const LaneSet&) const {}
     HWY_INLINE void whole_blocks(UniformGroup&, int, int, std::uint32_t) const {}
@@ -90,10 +61,10 @@ struct NoColor {
 
 /// A triangle's one colour.
 struct OneColor {
+    using Few = FewColor;
     const std::uint64_t color;
     const FlatPaint paint;
 
-    HWY_INLINE static FlatPaint pixels(const TileDraw& draw, const Rgba& c) { return {draw, c}; }
     HWY_INLINE OneColor(const TileDraw& draw, const Rgba& c)
         : color(std::bit_cast<std::uint64_t>(c)), paint(draw, c) {}
 
@@ -185,19 +156,8 @@ struct UniformDraw {
     }
 };
 
-/// The one colour of each triangle of a batch that has pixels.
-struct OneColors {
-    Rgba of[batch_capacity];
-
-    /// Many loads miss the first-level cache; in one loop they overlap.
-    HWY_INLINE void gather(const TileDraw& draw, const Triangles& t) {
-        for (std::size_t i = 0; i < t.count(); ++i)
-            if (!t.empty(i)) of[i] = one_color(draw, *t.corners.primitive[i]);
-    }
-};
-
 /// Triangle i of a batch over blocks that may be uniform.
-template <class Size, class Paint>
+template <class Paint>
 struct UniformTriangle {
     const TileDraw& draw;
     const Triangles& t;
@@ -232,7 +192,7 @@ private:
     HWY_NOINLINE void draw_sloping(const Compare& passes) const {
         const DepthPlane plane = depth_of(draw, t, i);
         SlopingWalk walk(plane);
-        if constexpr (std::is_same_v<Size, LargeTriangle>) walk.find_bounds(t.corners, i);
+        walk.find_bounds(t.corners, i);
         draw_blocks(
             walk, SlopingDepth<Compare>{draw.tile, walk, passes, draw.op->state.state.depth.mask});
     }
@@ -242,33 +202,84 @@ private:
         LaneCounter made, written;
         made.clear();
         written.clear();
-        Size::visit(box, t, i, walk,
-                    UniformDraw<Depth, Paint>{draw.tile, depth, paint, made, written});
+        LargeTriangle::visit(box, t, i, walk,
+                             UniformDraw<Depth, Paint>{draw.tile, depth, paint, made, written});
         LaneCounts{made, made, written}.add_to(sum);
     }
 };
 
-template <class Paint>
-HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCounts& sum) {
-    const BoxLanes box(draw);
-    OneColors colors;
-    if (draw.op->state.writes_color) colors.gather(draw, t);
-    with_depth_test(*draw.op, [&](const auto& passes) {
+/// The one colour of each triangle of a batch that has pixels.
+struct OneColors {
+    Rgba of[batch_capacity];
+
+    /// Many loads miss the first-level cache; in one loop they overlap.
+    HWY_INLINE void gather(const TileDraw& draw, const Triangles& t) {
+        for (std::size_t i = 0; i < t.count(); ++i)
+            if (!t.empty(i)) of[i] = one_color(draw, *t.corners.primitive[i]);
+    }
+};
+
+/// A batch's triangles, the neighbours of one quad together if they have one colour and one depth.
+template <class Compare, class Paint>
+struct UniformBatch {
+    const TileDraw& draw;
+    const Triangles& t;
+    const BoxLanes box;
+    const OneColors& colors;
+    const Compare passes;
+    LaneCounts& sum;
+    OpCounts& counts;
+
+    HWY_INLINE void run() const {
         for (std::size_t i = 0; i < t.count(); ++i) {
             if (t.empty(i)) continue;
-            const Rgba& color = colors.of[i];
-            const BlockRange blocks = BlockRange::of(t, i);
-            if (t.is_small(i)) {
-                UniformTriangle<SmallTriangle, Paint>{draw, t, i, box, {draw, color}, sum}(passes);
-            } else if (blocks.is_small()) {
-                // It leaves hardly any block uniform.
-                write_back_range(draw.tile, touched_planes(*draw.op), blocks);
-                draw_unstenciled<LargeTriangle>(draw, t, i, box, passes, Paint::pixels(draw, color),
-                                                sum);
-            } else {
-                UniformTriangle<LargeTriangle, Paint>{draw, t, i, box, {draw, color}, sum}(passes);
-            }
+            const BlockRange range = BlockRange::of(t, i);
+            if (!range.is_small())
+                UniformTriangle<Paint>{draw, t, i, box, {draw, colors.of[i]}, sum}(passes);
+            else if (draw_two(i, range))
+                i += 1;
+            else if (t.is_small(i))
+                draw_few(i, SmallBlocks(box, t, i));
+            else
+                draw_few(i, CoveredBlocks(box, t, i, range));
         }
+    }
+
+private:
+    template <class Blocks>
+    HWY_INLINE void draw_few(std::size_t i, const Blocks& blocks) const {
+        using Few = FewBlocksTriangle<Blocks, typename Paint::Few>;
+        Few{draw, t, i, blocks, colors.of[i], counts}(passes);
+    }
+    /// Draws triangles i and i + 1 if they can be drawn as one: no pixel may be in both.
+    HWY_INLINE bool draw_two(std::size_t i, const BlockRange& range) const {
+        if (i + 1 == t.count() || !are_alike(i) || t.empty(i + 1)) return false;
+        const BlockRange both = range.with(BlockRange::of(t, i + 1));
+        if (!both.is_small() || !has_short_edges(t.edges(i)) || !has_short_edges(t.edges(i + 1)))
+            return false;
+        const CoveredBlocks blocks = CoveredBlocks::of_two(box, t, i, both);
+        if (!blocks.overlap()) draw_few(i, blocks);
+        return !blocks.overlap();
+    }
+    /// Whether triangles i and i + 1 have the same one depth and the same colour.
+    HWY_INLINE bool are_alike(std::size_t i) const {
+        if constexpr (Compare::tests) {
+            const auto& z = t.corners.z;
+            if (z[0][i] != z[1][i] || z[0][i] != z[2][i] || z[0][i] != z[0][i + 1] ||
+                z[0][i] != z[1][i + 1] || z[0][i] != z[2][i + 1])
+                return false;
+        }
+        return !draw.op->state.writes_color || colors.of[i] == colors.of[i + 1];
+    }
+};
+
+template <class Paint>
+HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCounts& sum,
+                             OpCounts& counts) {
+    OneColors colors;
+    if (draw.op->state.writes_color) colors.gather(draw, t);
+    with_depth_test(*draw.op, [&]<class Compare>(const Compare& passes) {
+        UniformBatch<Compare, Paint>{draw, t, BoxLanes(draw), colors, passes, sum, counts}.run();
     });
 }
 
@@ -284,9 +295,9 @@ inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bi
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
     draw.tile.has_uniform->depth |= draw.op->state.state.depth.mask;
     if (draw.op->state.writes_color)
-        draw_uniform<OneColor>(draw, t, lanes);
+        draw_uniform<OneColor>(draw, t, lanes, counts);
     else
-        draw_uniform<NoColor>(draw, t, lanes);
+        draw_uniform<NoColor>(draw, t, lanes, counts);
     lanes.add_to(counts);
 }
 

@@ -120,6 +120,48 @@ TEST(UniformBlocks, AreDrawnOverUnderAnyDepthTest) {
             }
 }
 
+/// Triangles on a few blocks of one depth, in neighbouring pairs: the halves of quads, some over a
+/// tile's border and over each other, the same triangle twice, and thin ones that reach far.
+MeshRef pairs() {
+    MeshData data = mesh_data(Primitive::Triangles, {});
+    const auto add = [&](std::initializer_list<vec3> corners) {
+        data.positions.insert(data.positions.end(), corners);
+    };
+    for (int i = 0; i < 12; ++i) {
+        const float x = 7.25f * float(i), y = 5.5f * float(i), z = float(500 + i % 3),
+                    right = x + 3 + float(i), up = y + 9;
+        add({{x, y, z}, {right, y, z}, {right, up, z}});
+        add({{x, y, z}, {right, up, z}, {x, up, z}});
+        add({{right, y, z}, {right + 6, y, z}, {right, up, z}});
+        add({{right, y, z}, {right + 6, y, z}, {right, up, z}});
+        add({{right, y, z}, {right + 5, up, z + 40}, {right, up, z}});
+        add({{90 - x, y, z}, {91 - x, y, z}, {x, 77, z}});
+    }
+    data.colors.assign(data.positions.size(), vec4(0.25f, 0.125f, 0.0625f, 1));
+    return make_mesh(std::move(data));
+}
+
+TEST(UniformBlocks, TwoTrianglesAreDrawnAsOneOnlyIfNoPixelIsInBoth) {
+    for (const Ink ink : {Ink::Stored, Ink::Added, Ink::None})
+        for (const DepthFunc func : {DepthFunc::Less, DepthFunc::LEqual, DepthFunc::Always})
+            for (const int side : {96, 41}) {
+                Workbench bench(vgx(), width, height);
+                CommandList list;
+                State state = item_buffer(bench);
+                list.add(SetState{state});
+                list.add(Clear{.planes = all_planes, .color = vec4(0, 0, 0.25f, 1)});
+                state.color_source = ColorSource::Vertex;
+                state.depth = {true, func, true};
+                state.blend = {ink == Ink::Added, BlendFactor::One, BlendFactor::One};
+                if (ink == Ink::None) state.color_mask = {false, false, false, false};
+                state.scissor = {.test = true, .box = {3, 2, side, side - 20}};
+                list.add(SetState{state});
+                list.add(Draw{.mesh = pairs()});
+                bench.run(list);
+                bench.planes();
+            }
+}
+
 TEST(UniformBlocks, ALevelTriangleMakesThemAgain) {
     Workbench bench(vgx(), width, height);
     State state = item_buffer(bench);
