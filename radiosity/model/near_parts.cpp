@@ -23,7 +23,7 @@ Polygon2 cut(Polygon2 polygon, const std::vector<dvec3>& sides) {
 }
 
 /// A surface, and its region about the part: inside its plane, in front of all others.
-struct Region {
+struct NearRegion {
     NearTexels texels;
     Polygon2 polygon;
 };
@@ -47,13 +47,13 @@ public:
             if (is_near(i))
                 regions_.push_back({.texels = {.facet = i, .sides = {}}, .polygon = {}});
         if (regions_.size() > most_near) return false;
-        for (Region& region : regions_) find(region);
+        for (NearRegion& region : regions_) find(region);
         return true;
     }
 
     /// Whether the regions belong to their facets wholly, so that nothing passes beside them.
     bool is_closed() const {
-        return std::all_of(regions_.begin(), regions_.end(), [&](const Region& region) {
+        return std::all_of(regions_.begin(), regions_.end(), [&](const NearRegion& region) {
             const double all = region.polygon.n < 3 ? 0 : area(region.polygon);
             double covered = 0;
             for (const Triangle2& t : model_.facets[region.texels.facet].triangles)
@@ -67,7 +67,7 @@ public:
     bool is_hidden() const {
         double radius = 0;
         for (const dvec3& corner : corners_) radius = std::max(radius, length(corner - middle_));
-        for (const Region& region : regions_)
+        for (const NearRegion& region : regions_)
             for (int i = 0; i < region.polygon.n; ++i)
                 radius = std::max(radius, length(at(region, i) - middle_));
         return std::any_of(model_.facets.begin(), model_.facets.end(), [&](const Facet& facet) {
@@ -77,13 +77,13 @@ public:
 
     std::vector<NearTexels> texels() {
         std::vector<NearTexels> all;
-        for (Region& region : regions_)
+        for (NearRegion& region : regions_)
             if (region.polygon.n >= 3) all.push_back(std::move(region.texels));
         return all;
     }
 
 private:
-    dvec3 at(const Region& region, int corner) const {
+    dvec3 at(const NearRegion& region, int corner) const {
         return model_.facets[region.texels.facet].at(region.polygon[corner]);
     }
 
@@ -106,7 +106,7 @@ private:
         return dot3(facet.normal, middle_) - facet.offset > 0 && is_within(facet, reach_);
     }
 
-    void find(Region& region) const {
+    void find(NearRegion& region) const {
         NearTexels& texels = region.texels;
         const Facet& facet = model_.facets[texels.facet];
         const Pixmap& pixmap = model_.pixmaps[facet.pixmap];
@@ -121,7 +121,7 @@ private:
         texels.first = glm::max(low, ivec2(0));
         texels.end = glm::min(high, ivec2(pixmap.width, pixmap.height));
         texels.sides.push_back(side_of(own_, facet));
-        for (const Region& other : regions_)
+        for (const NearRegion& other : regions_)
             if (&other != &region)
                 texels.sides.push_back(side_of(model_.facets[other.texels.facet], facet));
         Polygon2 box;
@@ -142,7 +142,7 @@ private:
             return dot3(plane.normal, p) - plane.offset >= -tolerance_;
         };
         return std::all_of(corners_.begin(), corners_.end(), is_before) &&
-               std::all_of(regions_.begin(), regions_.end(), [&](const Region& region) {
+               std::all_of(regions_.begin(), regions_.end(), [&](const NearRegion& region) {
                    bool before = true;
                    for (int i = 0; i < region.polygon.n; ++i)
                        before = before && is_before(at(region, i));
@@ -156,7 +156,7 @@ private:
     const dvec3 middle_;
     const double reach_;
     std::vector<dvec3> corners_;
-    std::vector<Region> regions_;
+    std::vector<NearRegion> regions_;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "radiosity/model/patches.h"
 
+#include "radiosity/model/facet_tree.h"
 #include "radiosity/model/geometry.h"
 
 #include <algorithm>
@@ -34,28 +35,31 @@ void add_contact(const std::array<dvec3, 3>& triangle, const Facet& facet, doubl
 }
 
 /// Where the figures of other pixmaps stand on this facet or pierce it.
-std::vector<Segment> contacts_of(const PixmapModel& model, const Facet& facet) {
+std::vector<Segment> contacts_of(const PixmapModel& model, const FacetTree& tree,
+                                 const Facet& facet) {
     const double height = touching * model.extent;
     std::vector<Segment> contacts;
-    for (const Facet& other : model.facets) {
-        if (other.pixmap == facet.pixmap) continue;
+    tree.for_each_near(facet.center, facet.radius + height, [&](std::uint32_t i) {
+        const Facet& other = model.facets[i];
+        if (other.pixmap == facet.pixmap) return;
         const double middle = dot3(facet.normal, other.center) - facet.offset;
         if (std::abs(middle) > other.radius + height ||
             length(other.center - facet.center) > other.radius + facet.radius)
-            continue;
+            return;
         for (const Triangle2& t : other.triangles)
             add_contact({other.at(t[0]), other.at(t[1]), other.at(t[2])}, facet, height, contacts);
-    }
+    });
     return contacts;
 }
 
 /// Of all plane figures of a pixmap; curved ones are not divided.
-std::vector<Segment> contacts_of(const PixmapModel& model, const Pixmap& pixmap) {
+std::vector<Segment> contacts_of(const PixmapModel& model, const FacetTree& tree,
+                                 const Pixmap& pixmap) {
     constexpr std::size_t most_plane = 2;  // a quad that is not quite plane has two facets
     std::vector<Segment> contacts;
     if (pixmap.facets.size() > most_plane) return contacts;
     for (const std::uint32_t facet : pixmap.facets)
-        for (const Segment& contact : contacts_of(model, model.facets[facet]))
+        for (const Segment& contact : contacts_of(model, tree, model.facets[facet]))
             contacts.push_back(contact);
     return contacts;
 }
@@ -111,10 +115,11 @@ void add(const PixmapModel& model, Patch patch, const std::vector<Segment>& cont
 }  // namespace
 
 std::vector<Patch> patches_of(const PixmapModel& model, int side) {
+    const FacetTree tree(model.facets);
     std::vector<Patch> patches;
     for (std::uint32_t i = 0; i < model.pixmaps.size(); ++i) {
         const Pixmap& pixmap = model.pixmaps[i];
-        const std::vector<Segment> contacts = contacts_of(model, pixmap);
+        const std::vector<Segment> contacts = contacts_of(model, tree, pixmap);
         for (int y = 0; y < pixmap.height; y += side)
             for (int x = 0; x < pixmap.width; x += side)
                 add(model,
