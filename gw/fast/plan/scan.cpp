@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 namespace gw::fast {
 namespace {
@@ -61,9 +62,6 @@ std::uint64_t hash_of(const State& s) {
     return hash.add_all(values.data(), values.size()).value();
 }
 
-std::uint64_t hash_of(const Draw& draw) {
-    return Hash().add(draw.mesh.get()).add_all(&draw.eye_from_object[0][0], 16).value();
-}
 /// Of the part of a draw with this hash.
 std::uint64_t part_hash(std::uint64_t draw_hash, const ScannedState& state) {
     return Hash().add(draw_hash).add(state.geometry_hash).value();
@@ -142,6 +140,7 @@ void Scan::clear() {
     color_plane_.reset();
     given_ = nullptr;
     state_ = nullptr;
+    hashed_ = nullptr;
 }
 
 void Scan::use_state(const State& state) {
@@ -169,6 +168,14 @@ const GeometryState* Scan::share(const GeometryState& geometry, std::uint64_t ha
     return made;
 }
 
+std::uint64_t Scan::hash_of_transform(const dmat4& transform) {
+    if (!hashed_ || std::memcmp(hashed_, &transform, sizeof(dmat4)) != 0) {
+        hashed_ = &transform;
+        transform_hash_ = Hash().add_all(&transform[0][0], 16).value();
+    }
+    return transform_hash_;
+}
+
 /// Hashes the draw of a command and prefetches all that add_draw() reads of it.
 void Scan::look_ahead(std::span<const Command> commands, std::size_t i) {
     prefetch_ahead(commands, i, steps_ahead, sizeof(Draw));
@@ -176,7 +183,8 @@ void Scan::look_ahead(std::span<const Command> commands, std::size_t i) {
     const Draw* const draw = std::get_if<Draw>(&commands[i]);
     if (!draw) return;
     prefetch(draw->mesh.get(), 3 * cache_line);
-    hashes_[i % steps_ahead] = hash_of(*draw);
+    hashes_[i % steps_ahead] =
+        Hash().add(draw->mesh.get()).add(hash_of_transform(draw->eye_from_object)).value();
     if (state_) part_table_.prefetch_slot(part_hash(hashes_[i % steps_ahead], *state_));
 }
 

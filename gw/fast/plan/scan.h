@@ -70,6 +70,7 @@ public:
 private:
     void clear();
     void use_state(const State& state);
+    std::uint64_t hash_of_transform(const dmat4& transform);
     void look_ahead(std::span<const Command> commands, std::size_t i);
     ScannedPart& part_of(const Draw& draw, std::uint64_t draw_hash);
     void add_draw(const Command& command, const Draw& draw, std::uint64_t draw_hash);
@@ -89,6 +90,8 @@ private:
     const State* given_ = nullptr;  ///< of the commands: `state_` is this
     ScannedState* state_ = nullptr;
     std::array<std::uint64_t, steps_ahead> hashes_{};  ///< of the next commands, if they are draws
+    const dmat4* hashed_ = nullptr;  ///< the last transform; most draws have that of the last draw
+    std::uint64_t transform_hash_ = 0;
     std::deque<GeometryState> geometries_;
     PointerTable<const GeometryState> geometry_table_;
     std::deque<ScannedState> states_;
