@@ -114,8 +114,9 @@ public:
     HWY_INLINE static CoveredBlocks of_two(const BoxLanes& box, const Triangles& t, std::size_t i,
                                            const BlockRange& r) {
         CoveredBlocks out(r);
-        out.find_short(t.edges(i), r,
-                       [&](int block, std::uint32_t lanes) { out.set(block, lanes); });
+        out.find_short(t.edges(i), r, [&](int block, std::uint32_t lanes) {
+            out.lanes_[block] = std::uint16_t(lanes);
+        });
         out.find_short(t.edges(i + 1), r, [&](int block, std::uint32_t lanes) {
             out.twice_ |= out.lanes_[block] & lanes;
             out.set(block, out.lanes_[block] | lanes);

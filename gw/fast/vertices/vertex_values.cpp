@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace gw::fast {
@@ -267,6 +268,10 @@ private:
     dmat4 transform_{1};
 };
 
+bool is_one_color(std::span<const Rgba> colors) {
+    return std::adjacent_find(colors.begin(), colors.end(), std::not_equal_to<>()) == colors.end();
+}
+
 /// Whether each primitive of a part has one colour, like a face with its own normal or colour.
 bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexColors& colors) {
     const auto first = set.primitives.begin() + set.parts[part].primitive,
@@ -309,6 +314,7 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
         } else {
             color_part(vertices, nullptr, *draws[i], profile, front);
         }
+        uniform = uniform || (back.empty() && is_one_color(front));
         out.uniform[i] = uniform || has_one_color_each(*set, i, out);
     }
 }
