@@ -28,9 +28,9 @@ static_assert(2 * short_most * (4 * block_side - 1) < short_limit && 2 * short_l
 
 HWY_INLINE bool has_short_edges(const TileEdges& e) {
     const auto is_short = [](int v) { return std::uint32_t(v + short_most) <= 2 * short_most; };
-    bool all = true;
-    for (std::size_t k = 0; k < 3; ++k) all = all & is_short(e.a[k]) & is_short(e.b[k]);
-    return all;
+    int count = 0;
+    for (std::size_t k = 0; k < 3; ++k) count += int{is_short(e.a[k])} + int{is_short(e.b[k])};
+    return count == 6;
 }
 
 /// A short edge's values, 16 bits a pixel, in 4x4 blocks from (x, y) on. Where the value at the
