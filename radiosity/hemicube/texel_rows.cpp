@@ -200,9 +200,6 @@ void find_row(const TexelSight& sight, const TexelRow& row, const float* low, co
     }
 }
 
-/// Positions of samples in a texel, from its middle: a Fibonacci lattice, even in every direction.
-inline double lattice(int i, int step, int count) { return (i * step % count + 0.5) / count - 0.5; }
-
 /// The light of samples, and what of it is shown.
 struct Light {
     V all, shown;
@@ -263,7 +260,7 @@ void find_shares(const TexelSight& sight, TexelKind kind, TexelList& list) {
     const D d;
     const bool border = kind > at_border;
     const auto number = std::size_t(kind - 1 - (border ? at_border : 0));
-    const int count = sample_counts[number], step = number > 0 ? sample_counts[number - 1] : 3;
+    const std::span<const Sample> samples = samples_of(number);
     const Sampler sampler{sight, border};
     for (std::size_t i = 0; i < list.count; i += hn::Lanes(d)) {
         const auto load = [&](const std::vector<float>& from) {
@@ -272,9 +269,9 @@ void find_shares(const TexelSight& sight, TexelKind kind, TexelList& list) {
         const V u = load(list.u), v = load(list.v);
         Light light{hn::Zero(d), hn::Zero(d)};
         if (border) sampler.add(load(list.inside_u), load(list.inside_v), true, light);
-        for (int s = 0; s < count; ++s)
-            sampler.add(hn::Add(u, all(lattice(s, 1, count))),
-                        hn::Add(v, all(lattice(s, step, count))), false, light);
+        for (const Sample& sample : samples)
+            sampler.add(hn::Add(u, hn::Set(d, sample.u)), hn::Add(v, hn::Set(d, sample.v)), false,
+                        light);
         const auto lit = hn::Gt(light.all, hn::Zero(d));
         hn::StoreU(
             hn::IfThenElseZero(lit, hn::Div(light.shown, hn::IfThenElse(lit, light.all, all(1)))),

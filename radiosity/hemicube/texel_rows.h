@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstdint>
+#include <numeric>
+#include <span>
 #include <vector>
 
 namespace gw::radiosity {
@@ -21,6 +23,32 @@ inline constexpr TexelKind near_point = 19;  ///< divided until its parts are sm
 
 /// A texel whose distance from the point is less than so many of its sides is near.
 inline constexpr double near_sides = 3;
+
+/// A place at which a texel's light is looked up, in texels from its middle.
+struct Sample {
+    float u = 0, v = 0;
+};
+
+/// Those of all sample_counts, one after the other: Fibonacci lattices, even in every direction.
+constexpr auto fibonacci_samples() {
+    constexpr int all = std::accumulate(sample_counts.begin(), sample_counts.end(), 0);
+    std::array<Sample, all> samples;
+    std::size_t next = 0;
+    for (std::size_t n = 0; n < sample_counts.size(); ++n) {
+        const int count = sample_counts[n], step = n > 0 ? sample_counts[n - 1] : 3;
+        const auto at = [&](int i) { return static_cast<float>((i % count + 0.5) / count - 0.5); };
+        for (int i = 0; i < count; ++i) samples[next++] = {at(i), at(i * step)};
+    }
+    return samples;
+}
+
+/// Those of sample_counts[number].
+inline std::span<const Sample> samples_of(std::size_t number) {
+    static constexpr auto samples = fibonacci_samples();
+    const auto first =
+        std::accumulate(sample_counts.begin(), sample_counts.begin() + int(number), 0);
+    return std::span(samples).subspan(std::size_t(first), std::size_t(sample_counts[number]));
+}
 
 /// A row of texels: (first + i, v), i = 0 .. count - 1.
 struct TexelRow {
