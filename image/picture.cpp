@@ -23,10 +23,10 @@ std::uint16_t mean_of(const Picture& p, int x0, int y0, int factor, int channel)
 
 Picture picture_of(const std::vector<Rgba>& color, int width, int height, int bits) {
     Picture picture{.width = width, .height = height, .channels = 3, .bits = bits, .values = {}};
-    picture.values.reserve(color.size() * 3);
-    for (const Rgba& pixel : color) {
-        picture.values.insert(picture.values.end(), pixel.begin(), pixel.begin() + 3);
-    }
+    picture.values.resize(color.size() * 3);
+    std::uint16_t* to = picture.values.data();
+    for (const Rgba& pixel : color)
+        for (std::size_t c = 0; c < 3; ++c) *to++ = pixel[c];
     return picture;
 }
 
