@@ -44,8 +44,11 @@ public:
 
     const Planes& planes() override {
         if (!planes_are_current_) {
-            for (std::size_t i = 0; i < grid().count(); ++i) write_back_blocks(frame_.tile(i));
-            frame_.read(planes_);
+            frame_.begin_read(planes_);
+            parallel_for(grid().count(), threads_, [this](std::size_t i, int) {
+                write_back_blocks(frame_.tile(i));
+                frame_.read(i, planes_);
+            });
         }
         planes_are_current_ = true;
         return planes_;

@@ -81,42 +81,52 @@ Tile Frame::tile(std::size_t index) {
 
 namespace {
 
-/// Calls visit(host index, block, lane) for every pixel of the window.
+/// Calls visit(host index, block, lane, count) for each row of a tile's blocks that is in the
+/// window: so many pixels, one after the other.
 template <typename Visit>
-void for_each_pixel(const TileGrid& grid, const Planes& planes, const Visit& visit) {
-    const int mask = grid.side() - 1;
-    for (int y = 0; y < grid.height; ++y)
-        for (int x = 0; x < grid.width; ++x) {
-            const std::size_t tile =
-                std::size_t(y >> grid.log2_tile) * std::size_t(grid.columns()) +
-                std::size_t(x >> grid.log2_tile);
-            const std::size_t inside =
-                std::size_t((y & mask) / block_side) * std::size_t(grid.blocks_per_row()) +
-                std::size_t((x & mask) / block_side);
-            visit(planes.index(x, y), tile * grid.blocks_per_tile() + inside,
-                  std::size_t(y % block_side * block_side + x % block_side));
-        }
+void for_each_row(const TileGrid& grid, std::size_t index, const Planes& planes,
+                  const Visit& visit) {
+    const int left = int(index % std::size_t(grid.columns())) << grid.log2_tile,
+              low = int(index / std::size_t(grid.columns())) << grid.log2_tile;
+    const int right = std::min(left + grid.side(), grid.width),
+              high = std::min(low + grid.side(), grid.height);
+    for (int y = low; y < high; ++y) {
+        const std::size_t row = index * grid.blocks_per_tile() +
+                                std::size_t((y - low) / block_side * grid.blocks_per_row());
+        for (int x = left; x < right; x += block_side)
+            visit(planes.index(x, y), row + std::size_t((x - left) / block_side),
+                  std::size_t(y % block_side * block_side),
+                  std::size_t(std::min(block_side, right - x)));
+    }
 }
 
 }  // namespace
 
-void Frame::read(Planes& planes) {
+void Frame::begin_read(Planes& planes) {
+    if (!other_color_.empty()) return need_other_color();
+    std::vector<Rgba>& unused = in_use_ == Plane::Color ? planes.back : planes.color;
+    std::fill(unused.begin(), unused.end(), Rgba{});
+}
+
+void Frame::read(std::size_t index, Planes& planes) const {
     const bool front = in_use_ == Plane::Color, other = !other_color_.empty();
     std::vector<Rgba>&used = front ? planes.color : planes.back,
     &unused = front ? planes.back : planes.color;
-    if (other)
-        need_other_color();
-    else
-        std::fill(unused.begin(), unused.end(), Rgba{});
-    for_each_pixel(grid_, planes, [&](std::size_t i, std::size_t b, std::size_t lane) {
-        for (std::size_t c = 0; c < 4; ++c) used[i][c] = color_[b].channel[c][lane];
-        if (other)
-            for (std::size_t c = 0; c < 4; ++c) unused[i][c] = other_color_[b].channel[c][lane];
-        planes.depth[i] = depth_[b].value[lane];
-        planes.stencil[i] = stencil_[b].value[lane];
-        if (!accum_.empty())
-            for (std::size_t c = 0; c < 4; ++c) planes.accum[i][c] = accum_[b].channel[c][lane];
-    });
+    const auto colors = [](const ColorBlock& block, std::size_t lane, std::size_t count, Rgba* to) {
+        for (std::size_t k = 0; k < count; ++k)
+            for (std::size_t c = 0; c < 4; ++c) to[k][c] = block.channel[c][lane + k];
+    };
+    for_each_row(grid_, index, planes,
+                 [&](std::size_t i, std::size_t b, std::size_t lane, std::size_t n) {
+                     colors(color_[b], lane, n, &used[i]);
+                     if (other) colors(other_color_[b], lane, n, &unused[i]);
+                     std::copy_n(depth_[b].value + lane, n, &planes.depth[i]);
+                     std::copy_n(stencil_[b].value + lane, n, &planes.stencil[i]);
+                     if (accum_.empty()) return;
+                     for (std::size_t k = 0; k < n; ++k)
+                         for (std::size_t c = 0; c < 4; ++c)
+                             planes.accum[i + k][c] = accum_[b].channel[c][lane + k];
+                 });
 }
 
 void Frame::write(const Planes& planes) {
@@ -127,15 +137,22 @@ void Frame::write(const Planes& planes) {
     if (other_color_.empty() && !std::all_of(unused.begin(), unused.end(), is_zero))
         need_other_color();
     const bool other = !other_color_.empty();
-    for_each_pixel(grid_, planes, [&](std::size_t i, std::size_t b, std::size_t lane) {
-        for (std::size_t c = 0; c < 4; ++c) color_[b].channel[c][lane] = used[i][c];
-        if (other)
-            for (std::size_t c = 0; c < 4; ++c) other_color_[b].channel[c][lane] = unused[i][c];
-        depth_[b].value[lane] = planes.depth[i];
-        stencil_[b].value[lane] = planes.stencil[i];
-        if (!accum_.empty())
-            for (std::size_t c = 0; c < 4; ++c) accum_[b].channel[c][lane] = planes.accum[i][c];
-    });
+    const auto colors = [](const Rgba* from, std::size_t lane, std::size_t count,
+                           ColorBlock& block) {
+        for (std::size_t k = 0; k < count; ++k)
+            for (std::size_t c = 0; c < 4; ++c) block.channel[c][lane + k] = from[k][c];
+    };
+    const auto row = [&](std::size_t i, std::size_t b, std::size_t lane, std::size_t n) {
+        colors(&used[i], lane, n, color_[b]);
+        if (other) colors(&unused[i], lane, n, other_color_[b]);
+        std::copy_n(&planes.depth[i], n, depth_[b].value + lane);
+        std::copy_n(&planes.stencil[i], n, stencil_[b].value + lane);
+        if (accum_.empty()) return;
+        for (std::size_t k = 0; k < n; ++k)
+            for (std::size_t c = 0; c < 4; ++c)
+                accum_[b].channel[c][lane + k] = planes.accum[i + k][c];
+    };
+    for (std::size_t tile = 0; tile < grid_.count(); ++tile) for_each_row(grid_, tile, planes, row);
 }
 
 }  // namespace gw::fast

@@ -93,8 +93,10 @@ public:
     /// The front plane becomes the back plane and the reverse.
     void swap_colors() { in_use_ = in_use_ == Plane::Color ? Plane::Back : Plane::Color; }
 
-    /// All uniform blocks of the planes in use must have been written back.
-    void read(Planes& planes);
+    /// Copies the planes out: begin_read, then each tile, in any order. All uniform blocks of the
+    /// planes in use must have been written back.
+    void begin_read(Planes& planes);
+    void read(std::size_t tile, Planes& planes) const;
     void write(const Planes& planes);
 
 private:
