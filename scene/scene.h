@@ -141,12 +141,14 @@ struct Scene {
     bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]
 };
 
-/// Axis-aligned bounds in world space; `empty` if there is no vertex.
+/// Axis-aligned bounds in world space, if nothing else is said; `empty` if there is no vertex.
 struct Bounds {
     dvec3 low{0}, high{0};
     bool empty = true;
 };
 Bounds bounds(const Scene& scene);
+/// The box, and p.
+void extend(Bounds& box, const dvec3& p);
 /// Corner i = 0 .. 7 of a box: bits 0, 1, 2 choose the higher x, y, z.
 inline dvec3 corner(const Bounds& b, int i) {
     return {i & 1 ? b.high.x : b.low.x, i & 2 ? b.high.y : b.low.y, i & 4 ? b.high.z : b.low.z};

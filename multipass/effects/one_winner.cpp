@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gw::multipass {
 namespace {
@@ -16,35 +17,43 @@ namespace {
 constexpr int cell = 8;
 /// Jitter and snapping move a vertex less than this.
 constexpr double slack = 2;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Squares of the window that have tied pixels.
 class Cells {
 public:
     Cells(const scene::View& view)
         : columns_((view.width + cell - 1) / cell),
           rows_((view.height + cell - 1) / cell),
-          tied_(std::size_t(columns_) * std::size_t(rows_)) {}
+          below_(std::size_t(columns_ + 1) * std::size_t(rows_ + 1)) {}
 
-    void mark(int x, int y) { tied_[at(x / cell, y / cell)] = true; }
+    /// First each tied pixel, then once finish(), then any().
+    void mark(int x, int y) { below_[at(x / cell + 1, y / cell + 1)] = 1; }
+    void finish() {
+        for (int y = 1; y <= rows_; ++y)
+            for (int x = 1; x <= columns_; ++x)
+                below_[at(x, y)] +=
+                    below_[at(x - 1, y)] + below_[at(x, y - 1)] - below_[at(x - 1, y - 1)];
+    }
 
     /// Any in a box of window coordinates.
     bool any(const dvec2& low, const dvec2& high) const {
-        const int x0 = column(low.x), x1 = column(high.x), y0 = row(low.y), y1 = row(high.y);
-        for (int y = y0; y <= y1; ++y)
-            for (int x = x0; x <= x1; ++x)
-                if (tied_[at(x, y)]) return true;
-        return false;
+        const int x0 = column(low.x), x1 = column(high.x) + 1, y0 = row(low.y),
+                  y1 = row(high.y) + 1;
+        return below_[at(x1, y1)] - below_[at(x0, y1)] - below_[at(x1, y0)] + below_[at(x0, y0)] !=
+               0;
     }
 
 private:
     std::size_t at(int x, int y) const {
-        return std::size_t(y) * std::size_t(columns_) + std::size_t(x);
+        return std::size_t(y) * std::size_t(columns_ + 1) + std::size_t(x);
     }
     static int index(double v, int count) { return int(std::clamp(v / cell, 0.0, count - 1.0)); }
     int column(double x) const { return index(x, columns_); }
     int row(double y) const { return index(y, rows_); }
 
     int columns_, rows_;
-    std::vector<bool> tied_;
+    std::vector<int> below_;  ///< at (x, y): the number of cells left of x and below y
 };
 
 /// The position of a vertex in the window; none: before the near plane.
@@ -53,19 +62,34 @@ struct Place {
     bool behind = false;
 };
 
-std::vector<Place> places(const PlacedModel& placed, std::size_t part) {
-    const ViewportState& port = placed.state.viewport;
-    const dmat4 clip_from_object = product(placed.state.projection, placed.eye_from_object[part]);
-    std::vector<Place> out;
-    for (const vec3& v : placed.model->parts[part].mesh->data().positions) {
-        const dvec4 c = transform(clip_from_object, dvec4(dvec3(v), 1));
-        if (!(c.z > -c.w) || !(c.w > 0))
-            out.push_back({.behind = true});
-        else
-            out.push_back({{port.x + (c.x / c.w + 1) / 2 * port.width,
-                            port.y + (c.y / c.w + 1) / 2 * port.height}});
+/// Finds the places of a part's points.
+class PartPlaces {
+public:
+    PartPlaces(const PlacedModel& placed, std::size_t part)
+        : port_(placed.state.viewport),
+          clip_from_object_(product(placed.state.projection, placed.eye_from_object[part])) {}
+
+    Place at(const dvec3& p) const {
+        const dvec4 c = transform(clip_from_object_, dvec4(p, 1));
+        if (!(c.z > -c.w) || !(c.w > 0)) return {.behind = true};
+        return {{port_.x + (c.x / c.w + 1) / 2 * port_.width,
+                 port_.y + (c.y / c.w + 1) / 2 * port_.height}};
     }
-    return out;
+
+private:
+    const ViewportState& port_;
+    const dmat4 clip_from_object_;
+};
+
+bool may_touch(const Cells& cells, const PartPlaces& places, const scene::Bounds& box) {
+    dvec2 low(infinity), high(-infinity);
+    for (int i = 0; i < 8; ++i) {
+        const Place at = places.at(corner(box, i));
+        if (at.behind) return true;
+        low = glm::min(low, at.p);
+        high = glm::max(high, at.p);
+    }
+    return cells.any(low - slack, high + slack);
 }
 
 bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle& triangle) {
@@ -78,9 +102,14 @@ bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle&
 
 std::vector<std::uint32_t> triangles_near(const Cells& cells, const PlacedModel& placed,
                                           std::size_t part) {
-    const std::vector<Place> at = places(placed, part);
-    const auto triangles = placed.model->parts[part].mesh->triangles();
     std::vector<std::uint32_t> near_ties;
+    const PartPlaces places(placed, part);
+    if (!may_touch(cells, places, placed.model->parts[part].box)) return near_ties;
+    const Mesh& mesh = *placed.model->parts[part].mesh;
+    std::vector<Place> at;
+    at.reserve(mesh.vertex_count());
+    for (const vec3& p : mesh.data().positions) at.push_back(places.at(dvec3(p)));
+    const auto triangles = mesh.triangles();
     for (std::uint32_t i = 0; i < triangles.size(); ++i)
         if (may_touch(cells, at, triangles[i])) near_ties.push_back(i);
     return near_ties;
@@ -148,6 +177,7 @@ TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t>
         cells.mark(x, y);
         tied.spans.push_back({.x = x, .y = y, .length = 1});
     }
+    cells.finish();
     PortionMaker maker(placed);
     for (std::size_t i = 0; i < placed.model->parts.size(); ++i) {
         const Part& part = placed.model->parts[i];

@@ -20,11 +20,10 @@ PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
                                const Shadows& shadows) {
     PlacedModel placed = place_model(model, enclosing(view, model, shadows));
     const double far_plane = view.camera.far_plane;
-    const bool moved = far_plane < placed.view.camera.far_plane;
+    if (far_plane == placed.view.camera.far_plane) return placed;
     const double farthest =
         scene::depth_interval(scene::bounds(*model.scene), view.eye_from_world).farthest;
-    if (moved && farthest > far_plane)
-        placed.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
+    if (farthest > far_plane) placed.state.clip_planes[0] = {true, dvec4(0, 0, 1, far_plane)};
     return placed;
 }
 

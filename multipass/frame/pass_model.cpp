@@ -91,6 +91,7 @@ PassModel make_pass_model(const scene::Scene& scene) {
     PassModel model{.scene = &scene};
     MeshCache cache;
     std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const PartMaps>> maps;
+    std::map<const Mesh*, scene::Bounds> boxes;
     model.parts.reserve(scene.objects.size());
     for (const scene::Object& item : scene.objects) {
         Part part{.object = &item, .material = &scene.materials.at(item.material)};
@@ -100,6 +101,10 @@ PassModel make_pass_model(const scene::Scene& scene) {
             shared = std::make_shared<const PartMaps>(maps_of(item.mesh, *part.material, cache));
         part.maps = shared;
         part.mesh = mesh_of(part);
+        const auto [box, is_new] = boxes.try_emplace(part.mesh.get());
+        if (is_new)
+            for (const vec3& p : part.mesh->data().positions) scene::extend(box->second, dvec3(p));
+        part.box = box->second;
         model.parts.push_back(std::move(part));
     }
     return model;

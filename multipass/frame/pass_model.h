@@ -27,7 +27,8 @@ using PartMaps = std::array<std::vector<MappedMesh>, 8>;
 struct Part {
     const scene::Object* object = nullptr;
     const scene::Material* material = nullptr;
-    MeshRef mesh;  ///< for passes without a map
+    MeshRef mesh;       ///< for passes without a map
+    scene::Bounds box;  ///< of its mesh, in the object's coordinates
     bool translucent = false;
     std::shared_ptr<const PartMaps> maps;  ///< objects of one mesh and material share them
 

@@ -185,20 +185,39 @@ std::array<dvec3, 4> near_rectangle(const dmat4& eye_from_object, const scene::V
     return {at(-1, -1), at(1, -1), at(1, 1), at(-1, 1)};
 }
 
-/// Whether neither the near or far plane nor the guard band cuts the mesh.
-bool is_whole(const MeshRef& mesh, const dmat4& clip_from_object, const scene::View& view) {
-    if (!mesh) return true;
+/// Whether `holds` is true of a box's corners; of no box it is.
+template <class Holds>
+bool all_corners(const scene::Bounds& box, const Holds& holds) {
+    for (int i = 0; i < 8; ++i)
+        if (!box.empty && !holds(corner(box, i))) return false;
+    return true;
+}
+
+/// Whether a point lies between the near and the far plane and in the guard band. If it holds for
+/// the corners of a box, it holds for all points in it.
+bool is_uncut(const dvec3& p, const dmat4& clip_from_object, const scene::View& view) {
     const auto in_band = [](double ndc, int size) {
         constexpr int slack = 8;  // for jitter and snapping
         const double pixel = (ndc + 1) / 2 * size;
         return pixel > guard_low + slack && pixel < guard_high - slack;
     };
-    const auto& positions = mesh->data().positions;
-    return std::all_of(positions.begin(), positions.end(), [&](const vec3& p) {
-        const dvec4 c = transform(clip_from_object, dvec4(dvec3(p), 1));
-        return c.w > 0 && c.z > -c.w && c.z < c.w && in_band(c.x / c.w, view.width) &&
-               in_band(c.y / c.w, view.height);
-    });
+    const dvec4 c = transform(clip_from_object, dvec4(p, 1));
+    return c.w > 0 && c.z > -c.w && c.z < c.w && in_band(c.x / c.w, view.width) &&
+           in_band(c.y / c.w, view.height);
+}
+
+/// Whether neither the near or far plane nor the guard band cuts the surface.
+bool is_whole(const ShadowVolume& volume, const dmat4& clip_from_object, const scene::View& view) {
+    const auto uncut = [&](const dvec3& p) { return is_uncut(p, clip_from_object, view); };
+    if (all_corners(volume.box, uncut)) return true;
+    for (const MeshRef& mesh : {volume.caps, volume.sides}) {
+        if (!mesh) continue;
+        const auto& positions = mesh->data().positions;
+        if (!std::all_of(positions.begin(), positions.end(),
+                         [&](const vec3& p) { return uncut(dvec3(p)); }))
+            return false;
+    }
+    return true;
 }
 
 /// Whether no part of the far cap is between a point of the rectangle and one of the scene. So it
@@ -243,6 +262,9 @@ ShadowVolume shadow_volume(const Topology& t, const LightInObject& light, bool m
                        : sides.side(t.edges[e].to, t.edges[e].from);
     volume.caps = caps.mesh();
     volume.sides = sides.mesh();
+    for (const MeshRef& mesh : {volume.caps, volume.sides})
+        if (mesh)
+            for (const vec3& p : mesh->data().positions) scene::extend(volume.box, dvec3(p));
     return volume;
 }
 
@@ -266,6 +288,10 @@ scene::View enclosing(scene::View view, const PassModel& model,
     double farthest = 0;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         const dmat4 eye_from_object = scene::placed(*model.parts[i].object, view).eye_from_object;
+        const auto is_near = [&](const dvec3& p) {
+            return depth(eye_from_object, p) < (1 - 1e-9) * view.camera.far_plane;
+        };
+        if (all_corners(volumes[i].box, is_near)) continue;
         for (const MeshRef& mesh : {volumes[i].caps, volumes[i].sides})
             if (mesh)
                 for (const vec3& p : mesh->data().positions)
@@ -277,9 +303,7 @@ scene::View enclosing(scene::View view, const PassModel& model,
 
 bool is_outside(const ShadowVolume& volume, const dmat4& eye_from_object, const scene::View& view) {
     if (!is_before_far_cap(volume, near_rectangle(eye_from_object, view))) return false;
-    const dmat4 clip_from_object = product(view.clip_from_eye, eye_from_object);
-    return is_whole(volume.caps, clip_from_object, view) &&
-           is_whole(volume.sides, clip_from_object, view);
+    return is_whole(volume, product(view.clip_from_eye, eye_from_object), view);
 }
 
 }  // namespace gw::multipass

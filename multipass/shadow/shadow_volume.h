@@ -22,7 +22,8 @@ namespace gw::multipass {
 struct ShadowVolume {
     /// Null: no triangle faces the light. The front cap has the mesh's positions, so the same Z.
     MeshRef caps;
-    MeshRef sides;  ///< null: the front cap has no border
+    MeshRef sides;      ///< null: the front cap has no border
+    scene::Bounds box;  ///< of both meshes, in the object's coordinates
     LightInObject light;
     WallsOfCap far_walls{};  ///< of the far cap
 };

@@ -8,13 +8,15 @@ namespace gw::scene {
 Bounds bounds(const Scene& scene) {
     Bounds box;
     for (const Object& object : scene.objects)
-        for (const vec3& position : object.mesh->data().positions) {
-            const dvec3 p_world(object.world_from_object * dvec4(dvec3(position), 1));
-            box.low = box.empty ? p_world : glm::min(box.low, p_world);
-            box.high = box.empty ? p_world : glm::max(box.high, p_world);
-            box.empty = false;
-        }
+        for (const vec3& position : object.mesh->data().positions)
+            extend(box, dvec3(object.world_from_object * dvec4(dvec3(position), 1)));
     return box;
+}
+
+void extend(Bounds& box, const dvec3& p) {
+    box.low = box.empty ? p : glm::min(box.low, p);
+    box.high = box.empty ? p : glm::max(box.high, p);
+    box.empty = false;
 }
 
 }  // namespace gw::scene
