@@ -61,6 +61,7 @@ struct FrameDrawer::Kept {
     std::string key;
     std::unique_ptr<PictureOptions> options;
     std::unique_ptr<Drawing> drawing;
+    scene::Bounds bounds;                     ///< of its scene
     std::map<std::string, std::string> sets;  ///< parameter sets by pass
     std::function<void(const scene::View&)> draw;
 };
@@ -124,12 +125,14 @@ Frame FrameDrawer::draw(const Settings& settings) {
             kept_->key = key;
             kept_->options = std::make_unique<PictureOptions>(settings.picture);
             kept_->drawing = std::make_unique<Drawing>(drawing_of(*kept_->options, settings));
+            kept_->bounds = scene::bounds(kept_->drawing->scene);
             kept_->sets = parameter_sets(*kept_->drawing);
             kept_->draw = view_drawer(*kept_->drawing, machine);
             machine.reset_passes();
         }
         kept_->drawing->scene.camera = settings.camera;
-        kept_->draw(view_of(*kept_->drawing));
+        const auto [width, height] = settings.picture.size;
+        kept_->draw(scene::make_view(settings.camera, kept_->bounds, width, height));
         frame.picture = picture_of(machine);
         add_passes(frame, kept_->sets, machine);
     });
