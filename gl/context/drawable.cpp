@@ -1,7 +1,9 @@
 #include "gl/context/drawable.h"
 
 #include "gl/context/settings.h"
+#include "gw/base/parallel.h"
 
+#include <system_error>
 #include <utility>
 
 namespace gw::gl {
@@ -12,6 +14,9 @@ namespace {
 constexpr std::uint64_t largest_frame = 1u << 20;
 constexpr std::size_t most_commands = 1u << 16;
 constexpr std::size_t most_bytes = 1u << 28;  // of textures and pixels
+
+/// A program that shows more frames is an animation: the next follows soon.
+constexpr std::uint64_t frames_before_animation = 16;
 
 std::size_t pixel_bytes(const gw::DrawPixels& pixels) {
     return pixels.colors.size() * sizeof(Rgba) + pixels.bits.size() +
@@ -35,22 +40,34 @@ Drawable::Drawable(const Profile& profile, int width, int height, std::string na
 }
 
 Drawable::~Drawable() {
+    end_background();
     if (log) log->close(*this);
 }
 
 void Drawable::resize(int width, int height) {
     const auto lock = exclusive();
+    settle();
     if (log) log->close(*this);
     machine_ = make_machine(Profile(profile()), width, height);
     width_ = width;
     height_ = height;
+    drop_frame();
+    if (log) log->open(*this);
+}
+
+void Drawable::drop_frame() {
     frame_ = {};
     frame_calls_.clear();
     frame_vertices_ = 0;
     frame_bytes_ = 0;
     last_state_ = std::nullopt;
     frame_begins_ = true;
-    if (log) log->open(*this);
+}
+
+const Planes& Drawable::planes() {
+    const auto lock = exclusive();
+    settle();
+    return machine_->planes();
 }
 
 void Drawable::add(Command command, std::span<const CallRun> calls) {
@@ -100,8 +117,64 @@ void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls)
     last_state_ = shared;
 }
 
+void Drawable::settle() {
+    if (!background_) return;
+    try {
+        background_->wait();
+    } catch (...) {
+        // After an error, the machine's state is not known.
+        executed_.commands.clear();
+        drop_frame();
+        throw;
+    }
+    executed_.commands.clear();
+}
+
+void Drawable::end_background() noexcept {
+    background_ = nullptr;
+    executed_.commands.clear();
+}
+
+bool Drawable::runs_behind() const {
+    return frames_ >= frames_before_animation && !log && settings().threads != 1 &&
+           hardware_threads() > 1 && Background::is_available();
+}
+
+bool Drawable::swap_behind() {
+    const auto lock = exclusive();
+    if (!runs_behind()) return false;
+    settle();
+    std::optional<FrameTarget> target = frame_target();
+    if (!target) return false;
+    try {
+        if (!background_) background_ = std::make_unique<Background>();
+    } catch (const std::system_error&) {
+        return false;  // the system gives no thread
+    }
+    start_behind(std::move(*target));
+    return true;
+}
+
+void Drawable::start_behind(FrameTarget target) {
+    select(gw::ReadBuffer::Front);
+    frame_.add(
+        Read{.key = 0, .plane = Plane::Color, .rect = {0, 0, width_, height_}, .packed = true});
+    machine_->read_into(0, target.pixels, target.layout);
+    std::swap(frame_, executed_);
+    frame_calls_.clear();
+    frame_vertices_ = 0;
+    frame_bytes_ = 0;
+    front_changed_ = false;
+    background_->start([this, show = std::move(target.show)] {
+        machine_->execute(executed_);
+        machine_->reset_passes();
+        show();
+    });
+}
+
 void Drawable::flush(Cause cause) {
     const auto lock = exclusive();
+    settle();
     if (frame_.commands.empty()) return;
     CommandList list = std::exchange(frame_, {});
     std::vector<CallRun> calls = std::exchange(frame_calls_, {});
@@ -126,6 +199,11 @@ void Drawable::flush(Cause cause) {
 // Not locked as a whole: windows lock their display before the drawable.
 bool Drawable::finish(Cause cause) {
     const bool ends = front_drawn_ || is_off_screen();
+    if (!ends && background_) {  // nothing that anybody sees: executed when it is swapped
+        const auto lock = exclusive();
+        settle();
+        return false;
+    }
     flush(ends ? Cause::Shown : cause);
     present();
     if (ends) end_frame();
@@ -134,9 +212,11 @@ bool Drawable::finish(Cause cause) {
 
 void Drawable::swap() {
     if (has_back_plane()) add(SwapBuffers{});
-    flush(Cause::Shown);
-    front_changed_ = true;
-    present();
+    if (!swap_behind()) {
+        flush(Cause::Shown);
+        front_changed_ = true;
+        present();
+    }
     end_frame();
 }
 
@@ -167,6 +247,7 @@ Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause ca
 void Drawable::read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
                            ReadLayout layout) {
     const auto lock = exclusive();
+    settle();
     machine_->read_into(0, pixels, layout);
     execute_read(Plane::Color, rect, cause, true);
 }

@@ -1,12 +1,16 @@
 // A drawable: a machine of its size, and the frame that is being collected for it. A frame is a
-// command list; flush() executes it. Window systems derive from it to show what was drawn.
+// command list; flush() executes it. Window systems derive from it to show what was drawn. A window
+// that swaps frame after frame has each executed and shown by a thread, while the program makes the
+// next. Whatever needs the machine waits for it.
 #pragma once
 
+#include "gl/context/background.h"
 #include "gl/context/frame_log.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -41,7 +45,7 @@ public:
     const std::string& name() const { return name_; }
     /// The number of the frame that is being drawn, from 0.
     std::uint64_t frame() const { return frames_; }
-    const Planes& planes() { return machine_->planes(); }
+    const Planes& planes();
     /// Of the commands so far; null: none has set a state.
     const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
 
@@ -86,6 +90,19 @@ public:
     void resize(int width, int height);
 
 protected:
+    /// Shows frames from another thread.
+    struct FrameTarget {
+        std::span<std::uint32_t> pixels;  ///< the frame's colours, in `layout`
+        ReadLayout layout;
+        std::function<void()> show;  ///< called when they are there
+    };
+    /// Where the frame that ends goes; none: present() shows it. Called while nothing is executed.
+    virtual std::optional<FrameTarget> frame_target() { return std::nullopt; }
+    /// Before what frame_target() gave goes away.
+    void end_background() noexcept;
+    /// Waits until all that was swapped is executed and shown. Throws what it threw.
+    void settle();
+
     /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
     bool take_front_changed() { return std::exchange(front_changed_, false); }
 
@@ -93,6 +110,11 @@ private:
     void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
+    void drop_frame();
+    bool runs_behind() const;
+    /// Executes the frame and shows it while the caller goes on. Returns whether it does.
+    bool swap_behind();
+    void start_behind(FrameTarget target);
     /// The commands that follow are those of a new frame, a pass "frame 12".
     void end_frame();
 
@@ -101,6 +123,8 @@ private:
     int width_, height_;
     Buffers buffers_;
     std::unique_ptr<Machine> machine_;
+    std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
+    CommandList executed_;                    ///< by it
     CommandList frame_;
     std::vector<CallRun> frame_calls_;
     std::uint64_t frame_vertices_ = 0;

@@ -157,10 +157,20 @@ void ShownImage::fit(int width, int height) {
     memory_ = std::make_unique<Memory>(display_, visual_, width, height);
 }
 
+const PixelFormat& ShownImage::format(int color_bits) {
+    if (!format_) format_ = std::make_unique<PixelFormat>(visual_, color_bits);
+    return *format_;
+}
+
+std::optional<std::span<std::uint32_t>> ShownImage::words(int width, int height, int color_bits) {
+    fit(width, height);
+    if (!format(color_bits).is_bgr()) return std::nullopt;
+    return words_of(*memory_->image);
+}
+
 void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     const int color_bits = drawable.profile().color_bits;
-    if (!format_) format_ = std::make_unique<PixelFormat>(visual_, color_bits);
-    const PixelFormat& format = *format_;
+    const PixelFormat& format = this->format(color_bits);
     XImage& image = *memory_->image;
     const Rect all{0, 0, drawable.width(), drawable.height()};
     if (color_bits > 8) {
@@ -184,6 +194,10 @@ void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
 void ShownImage::show(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     fit(drawable.width(), drawable.height());
     fill(drawable, buffer);
+    put();
+}
+
+void ShownImage::put() {
     const QuietErrors quiet(display_);  // waits until the server has read the image
     XImage& image = *memory_->image;
     const unsigned width = unsigned(image.width), height = unsigned(image.height);

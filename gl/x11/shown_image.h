@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace gw::gl::x11 {
@@ -34,6 +36,7 @@ public:
     ShownImage(const ShownImage&) = delete;
     ShownImage& operator=(const ShownImage&) = delete;
 
+    int target_height() const { return target_height_; }
     void set_target_height(int height) { target_height_ = height; }
 
     /// Before the display is closed: nothing is shown any more. The server frees what it holds.
@@ -42,10 +45,15 @@ public:
 
     /// A window that is no longer there shows nothing, without an error.
     void show(gl::Drawable& drawable, gw::ReadBuffer buffer = gw::ReadBuffer::Front);
+    /// The image's words, the top row first, of bytes B, G, R and 0: to be filled, and put() there.
+    /// None: the server's pixels differ.
+    std::optional<std::span<std::uint32_t>> words(int width, int height, int color_bits);
+    void put();
 
 private:
     struct Memory;
     void fit(int width, int height);
+    const PixelFormat& format(int color_bits);
     void fill(gl::Drawable& drawable, gw::ReadBuffer buffer);
 
     Display* const display_;

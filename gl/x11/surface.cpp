@@ -26,34 +26,61 @@ Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, K
     : gl::Drawable(settings().profile, size_on_machine(width), size_on_machine(height),
                    recorded_name(kind), kind == Kind::Pixmap ? Buffers::Single : buffers),
       display_(display),
+      visual_(kind == Kind::Pbuffer ? 0 : visual.visualid),
       kind_(kind),
       target_(target) {
     if (kind != Kind::Pbuffer)
         image_ = std::make_unique<ShownImage>(display, visual, target, height);
 }
 
+Surface::~Surface() { end_background(); }
+
 void Surface::present() {
     if (take_front_changed()) show();
 }
 
+std::optional<Surface::FrameTarget> Surface::frame_target() {
+    if (kind_ != Kind::Window || image_->has_lost_display()) return std::nullopt;
+    if (!own_) own_ = std::make_unique<OwnWindow>(display_, visual_, target_);
+    if (!own_->image()) return std::nullopt;
+    own_->image()->set_target_height(image_->target_height());
+    const auto words = own_->image()->words(width(), height(), profile().color_bits);
+    if (!words) return std::nullopt;
+    return FrameTarget{
+        *words, {.top_first = true, .blue_first = true}, [image = own_->image()] { image->put(); }};
+}
+
+// The server answers: what the program asked of the window before is done when the frame comes.
 void Surface::swap_buffers() {
     if (!is_double_buffered()) return;
+    const std::optional<Geometry> window = window_size();
+    if (window) {
+        const auto lock = exclusive();
+        image_->set_target_height(window->height);
+    }
     swap();
-    follow_window();
+    if (window) take(*window);
+}
+
+bool Surface::follow_window() {
+    if (kind_ != Kind::Window) return true;
+    const std::optional<Geometry> window = window_size();
+    if (window) take(*window);
+    return window.has_value();
 }
 
 // The display is locked before the drawable, as everywhere.
-bool Surface::follow_window() {
-    if (kind_ != Kind::Window) return true;
-    if (image_->has_lost_display()) return false;
+std::optional<Geometry> Surface::window_size() const {
+    if (kind_ != Kind::Window || image_->has_lost_display()) return std::nullopt;
     const LockedDisplay locked(display_);
+    return geometry(display_, target_);
+}
+
+void Surface::take(const Geometry& window) {
     const auto lock = exclusive();
-    const std::optional<Geometry> window = geometry(display_, target_);
-    if (!window) return false;
-    image_->set_target_height(window->height);
-    const int wide = size_on_machine(window->width), high = size_on_machine(window->height);
+    image_->set_target_height(window.height);
+    const int wide = size_on_machine(window.width), high = size_on_machine(window.height);
     if (wide != width() || high != height()) resize(wide, high);
-    return true;
 }
 
 void Surface::show() {
@@ -66,6 +93,8 @@ void Surface::show() {
 
 void Surface::lose_display() {
     const auto lock = exclusive();
+    end_background();
+    own_ = nullptr;
     if (image_) image_->lose_display();
 }
 

@@ -1,9 +1,12 @@
 // What the doors of X11 draw to: a window, a pixmap or a pbuffer with a machine of its size.
 #pragma once
 
+#include "gl/x11/geometry.h"
+#include "gl/x11/own_window.h"
 #include "gl/x11/shown_image.h"
 
 #include <memory>
+#include <optional>
 
 namespace gw::gl::x11 {
 
@@ -15,6 +18,7 @@ public:
     /// the right.
     Surface(Display* display, const XVisualInfo& visual, Buffers buffers, Kind kind, XID target,
             int width, int height);
+    ~Surface() override;
 
     Kind kind() const { return kind_; }
     XID target() const { return target_; }
@@ -31,12 +35,18 @@ public:
     void lose_display();
 
 private:
+    std::optional<FrameTarget> frame_target() override;
     void show();
+    /// None: there is no window, or it is gone.
+    std::optional<Geometry> window_size() const;
+    void take(const Geometry& window);
 
     Display* const display_;
+    const VisualID visual_;
     const Kind kind_;
     const XID target_;
     std::unique_ptr<ShownImage> image_;  ///< null: there is nowhere to show
+    std::unique_ptr<OwnWindow> own_;     ///< for frames that are shown from another thread
 };
 
 }  // namespace gw::gl::x11

@@ -27,7 +27,7 @@
 namespace gw {
 
 int hardware_threads() {
-    const unsigned n = std::thread::hardware_concurrency();
+    static const unsigned n = std::thread::hardware_concurrency();  // reads files of the system
     return n > 0 ? static_cast<int>(n) : 1;
 }
 

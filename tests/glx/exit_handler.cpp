@@ -28,6 +28,10 @@ int main() {
     context = glXCreateContext(display, visual, nullptr, 1);
     if (glXMakeCurrent(display, window, context) == 0) return 1;
     glClear(GL_COLOR_BUFFER_BIT);
+    for (int frame = 0; frame < 40; ++frame) {  // the last is still being drawn
+        glClear(GL_COLOR_BUFFER_BIT);
+        glXSwapBuffers(display, window);
+    }
     std::atexit(leave);
     std::exit(0);
 }
