@@ -94,18 +94,23 @@ bool FrameDrawer::wants_count() const {
            !uses_stencil(steps_, end_of_depth(steps_));
 }
 
-/// False: a shadow count may have overflowed.
-bool FrameDrawer::attempt() {
-    const std::size_t before = machine_.passes().size();
-    Frame frame{placed_, shadows_, steps_, {.background = background_}, traced_};
-    frame.rules.one_winner = options_.one_winner == OneWinner::Always;
-    frame.rules.stencil_bits = machine_.profile().stencil_bits;
-    frame.rules.most_images = most_pictures(machine_.profile());
+FrameRules FrameDrawer::rules() {
+    FrameRules rules{.background = background_,
+                     .one_winner = options_.one_winner == OneWinner::Always,
+                     .stencil_bits = machine_.profile().stencil_bits};
+    rules.most_images = most_pictures(machine_.profile());
     if (model_.parts.size() > many_parts)
-        frame.rules.cut = [this](CommandList& list) {
+        rules.cut = [this](CommandList& list) {
             machine_.execute(list);
             list.commands.clear();
         };
+    return rules;
+}
+
+/// False: a shadow count may have overflowed.
+bool FrameDrawer::attempt() {
+    const std::size_t before = machine_.passes().size();
+    Frame frame{placed_, shadows_, steps_, rules(), traced_};
     TiedPixels tied;
     std::size_t next = 0;
     if (wants_count()) {

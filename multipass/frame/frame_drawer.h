@@ -36,6 +36,7 @@ private:
     void run(const Frame& frame, std::size_t first, std::size_t last);
     void run_layers(const Frame& frame, const LayerSteps& layers);
     bool wants_count() const;
+    FrameRules rules();
 
     Machine& machine_;
     const scene::Scene& still_;
