@@ -283,9 +283,10 @@ HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCount
     });
 }
 
-/// Draws a batch of triangles.
-inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
-                         OpCounts& counts) {
+/// Draws a batch of triangles. GCC takes the loops under the eight depth tests for seldom run, and
+/// compiles them for size, if not told.
+[[gnu::hot]] inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
+                                      OpCounts& counts) {
     Triangles t;
     LaneCounts lanes;
     lanes.clear();
