@@ -40,35 +40,46 @@ struct Binner {
         const auto [y0, y1] = y.tiles(va.y, vb.y, vc.y, margin);
         return {x0, y0, x1, y1};
     }
-    /// Calls visit(place in the set's range of tiles) for each tile of a primitive.
-    void for_each_tile(const TileRange& r, const auto& visit) const {
-        const std::size_t columns = std::size_t(set.tiles.x1 - set.tiles.x0);
-        for (std::size_t row = r.y0; row < r.y1; ++row)
-            for (std::size_t column = r.x0; column < r.x1; ++column)
-                visit((row - set.tiles.y0) * columns + column - set.tiles.x0);
+    /// Calls add(column, row) for each tile of a primitive.
+    static void for_each_tile(const TileRange& r, const auto& add) {
+        for (std::uint16_t row = r.y0; row < r.y1; ++row)
+            for (std::uint16_t column = r.x0; column < r.x1; ++column) add(column, row);
     }
 };
 
-void make_bins(GeometrySet& set, const Binner& binner, GeometryScratch& scratch) {
-    std::vector<TileRange>& ranges = scratch.ranges;
-    ranges.clear();
+/// Lists the tiles of each primitive, in order.
+void list_tiles(GeometrySet& set, const Binner& binner, std::vector<BinEntry>& entries) {
+    entries.clear();
     set.tiles = {};
-    for (GeometryPart& part : set.parts) part.tiles = {};
-    for (const SetupPrimitive& p : set.primitives) {
-        ranges.push_back(binner.tiles(p));
-        set.parts[p.part].tiles.include(ranges.back());
+    std::uint32_t i = 0;
+    for (std::size_t k = 0; k < set.parts.size(); ++k) {
+        const std::size_t end = set.end_of(k, &GeometryPart::primitive, set.primitives.size());
+        TileRange of_part;
+        for (; i < end; ++i) {
+            const TileRange range = binner.tiles(set.primitives[i]);
+            of_part.include(range);
+            Binner::for_each_tile(range, [&](std::uint16_t column, std::uint16_t row) {
+                entries.push_back({column, row, i});
+            });
+        }
+        set.parts[k].tiles = of_part;
+        set.tiles.include(of_part);
     }
-    for (const GeometryPart& part : set.parts) set.tiles.include(part.tiles);
+}
+
+void make_bins(GeometrySet& set, const Binner& binner, GeometryScratch& scratch) {
+    list_tiles(set, binner, scratch.bin_entries);
+    const std::size_t columns = std::size_t(set.tiles.x1 - set.tiles.x0);
+    const auto bin_of = [&](const BinEntry& e) {
+        return std::size_t(e.row - set.tiles.y0) * columns + std::size_t(e.column - set.tiles.x0);
+    };
     std::vector<std::uint32_t>& start = set.bin_start;
     start.assign(set.tiles.count() + 1, 0);
-    for (const TileRange& r : ranges)
-        binner.for_each_tile(r, [&](std::size_t tile) { start[tile + 1] += 1; });
+    for (const BinEntry& e : scratch.bin_entries) start[bin_of(e) + 1] += 1;
     for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
     scratch.next.assign(start.begin(), start.end() - 1);
-    set.bin.resize(start.back());
-    for (std::uint32_t i = 0; i < ranges.size(); ++i)
-        binner.for_each_tile(ranges[i],
-                             [&](std::size_t tile) { set.bin[scratch.next[tile]++] = i; });
+    set.bin.resize(scratch.bin_entries.size());
+    for (const BinEntry& e : scratch.bin_entries) set.bin[scratch.next[bin_of(e)]++] = e.primitive;
 }
 
 }  // namespace

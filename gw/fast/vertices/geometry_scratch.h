@@ -10,6 +10,12 @@
 
 namespace gw::fast {
 
+/// A primitive that touches a tile.
+struct BinEntry {
+    std::uint16_t column, row;
+    std::uint32_t primitive;
+};
+
 struct GeometryScratch {
     std::vector<Outcode> outcode;  ///< of a part's vertices, or of those of several parts
     // vertices of several parts
@@ -19,12 +25,12 @@ struct GeometryScratch {
     PositionClipper clipper;
     std::vector<SnappedPoint> fan_corners;
     std::vector<std::uint8_t> sides;  ///< that a part's vertices show
-    std::vector<TileRange> ranges;    ///< of a set's primitives
+    std::vector<BinEntry> bin_entries;
     std::vector<std::uint32_t> next;  ///< in the bins of a set's tiles
 
     /// Frees memory that a large mesh needed.
     void trim() {
-        if (outcode.capacity() + ranges.capacity() > std::size_t{1} << 16) *this = {};
+        if (outcode.capacity() + bin_entries.capacity() > std::size_t{1} << 16) *this = {};
     }
 };
 

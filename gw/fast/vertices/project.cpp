@@ -8,7 +8,10 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #ifndef GW_FAST_PROJECT_CPP_
 #define GW_FAST_PROJECT_CPP_
@@ -115,54 +118,80 @@ inline hn::Vec<U64> outcodes(const Projection& p, const Vec3& at, const ClipLane
     return hn::IfThenElse(hn::RebindMask(U64(), finite), out.bits, hn::Set(U64(), not_finite));
 }
 
+/// Stores integers as up to a vector of vertices.
+HWY_INLINE void put_vertices(V64 x, V64 y, V64 z, SnappedVertex* at, std::size_t count) {
+    static_assert(sizeof(SnappedVertex) == 4 * sizeof(std::int32_t));
+    const hn::Rebind<std::int32_t, D64> d;
+    // The conversion is signed, so that the depth's top bit is flipped.
+    const auto depth = hn::Xor(hn::DemoteTo(d, hn::Sub(z, all(2147483648.0))),
+                               hn::Set(d, std::numeric_limits<std::int32_t>::min()));
+    const auto store = [&](SnappedVertex* to) {
+        hn::StoreInterleaved4(hn::DemoteTo(d, x), hn::DemoteTo(d, y), depth, hn::Zero(d), d,
+                              &to->x);
+    };
+    if (count == hn::Lanes(d)) return store(at);
+    std::array<SnappedVertex, most_lanes> lanes;
+    store(lanes.data());
+    std::copy_n(lanes.data(), count, at);
+}
+
 /// Window coordinates of up to a vector of vertices.
 HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at,
                            std::size_t count) {
-    const D64 d;
     const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
     const auto window = [&](V64 v, double half, double center) {
         return hn::Add(hn::Mul(hn::Div(v, c.w), all(half)), all(center));
     };
     const int bits = p.profile.subpixel_bits;
-    alignas(64) double x[most_lanes], y[most_lanes], z[most_lanes];
-    hn::Store(snapped(window(c.x, p.viewport.half_width, p.viewport.center_x), bits), d, x);
-    hn::Store(snapped(window(c.y, p.viewport.half_height, p.viewport.center_y), bits), d, y);
-    hn::Store(quantized(window(c.z, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), d, z);
-    for (std::size_t i = 0; i < count; ++i)
-        at[i] = {static_cast<std::int32_t>(x[i]), static_cast<std::int32_t>(y[i]),
-                 static_cast<std::uint32_t>(static_cast<std::int64_t>(z[i]))};
+    put_vertices(snapped(window(c.x, p.viewport.half_width, p.viewport.center_x), bits),
+                 snapped(window(c.y, p.viewport.half_height, p.viewport.center_y), bits),
+                 quantized(window(c.z, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), at, count);
 }
 
-HWY_INLINE float component_of(const vec3& p, int c) { return p[c]; }
-HWY_INLINE double component_of(const ClipPosition& p, int c) { return p.clip[c]; }
 /// Component c of up to a vector of points. Lanes beyond the last point repeat the first.
 template <class Point>
-HWY_INLINE V64 component(std::span<const Point> points, int c) {
+HWY_INLINE V64 component(std::span<const Point> points, const auto& component_of) {
     alignas(64) double values[most_lanes];
     for (std::size_t i = 0; i < hn::Lanes(D64()); ++i)
-        values[i] = component_of(points[i < points.size() ? i : 0], c);
+        values[i] = component_of(points[i < points.size() ? i : 0]);
     return hn::Load(D64(), values);
+}
+HWY_INLINE Vec3 lanes_of(std::span<const vec3> points) {
+    const auto at = [&](int c) { return component(points, [c](const vec3& p) { return p[c]; }); };
+    if (points.size() < hn::Lanes(D64())) return {at(0), at(1), at(2)};
+    const hn::Rebind<float, D64> f;
+    hn::Vec<decltype(f)> x, y, z;
+    hn::LoadInterleaved3(f, &points[0].x, x, y, z);
+    return {hn::PromoteTo(D64(), x), hn::PromoteTo(D64(), y), hn::PromoteTo(D64(), z)};
+}
+HWY_INLINE ClipLanes lanes_of(std::span<const ClipPosition> points) {
+    const auto at = [&](int c) {
+        return component(points, [c](const ClipPosition& p) { return p.clip[c]; });
+    };
+    return {at(0), at(1), at(2), at(3)};
+}
+
+template <class D>
+HWY_INLINE void store_some(hn::Vec<D> v, D d, hn::TFromD<D>* to, std::size_t count) {
+    if (count == hn::Lanes(d)) return hn::StoreU(v, d, to);
+    std::array<hn::TFromD<D>, most_lanes> lanes;
+    hn::StoreU(v, d, lanes.data());
+    std::copy_n(lanes.data(), count, to);
 }
 
 void project_all(const Projection& p, const ProjectedVertices& v) {
     const D64 d;
+    const hn::Rebind<Outcode, D64> d32;
     const dmat4& m = p.clip_from_object;
-    alignas(64) std::uint64_t codes[most_lanes];
-    alignas(64) double w[most_lanes];
     for (std::size_t first = 0; first < v.positions.size(); first += hn::Lanes(d)) {
         const std::size_t count = HWY_MIN(hn::Lanes(d), v.positions.size() - first);
-        const auto points = v.positions.subspan(first, count);
-        const Vec3 at{component(points, 0), component(points, 1), component(points, 2)};
+        const Vec3 at = lanes_of(v.positions.subspan(first, count));
         const ClipLanes c{row(m, 0, at), row(m, 1, at), row(m, 2, at), row(m, 3, at)};
         const auto outside = outcodes(p, at, c);
         const auto drawable = hn::RebindMask(d, hn::Eq(outside, hn::Zero(U64())));
-        hn::Store(outside, U64(), codes);
-        hn::Store(hn::IfThenElse(drawable, c.w, all(1)), d, w);
         put_window(p, c, v.at + first, count);
-        for (std::size_t i = 0; i < count; ++i) {
-            v.outcode[first + i] = static_cast<Outcode>(codes[i]);
-            v.w[first + i] = w[i];
-        }
+        store_some(hn::TruncateTo(d32, outside), d32, v.outcode + first, count);
+        store_some(hn::IfThenElse(drawable, c.w, all(1)), d, v.w + first, count);
     }
 }
 
@@ -170,10 +199,7 @@ void window_all(const Projection& p, std::span<const ClipPosition> vertices, Sna
     for (std::size_t first = 0; first < vertices.size(); first += hn::Lanes(D64())) {
         const auto points =
             vertices.subspan(first, HWY_MIN(hn::Lanes(D64()), vertices.size() - first));
-        put_window(p,
-                   {component(points, 0), component(points, 1), component(points, 2),
-                    component(points, 3)},
-                   at + first, points.size());
+        put_window(p, lanes_of(points), at + first, points.size());
     }
 }
 
