@@ -1,5 +1,6 @@
 #include "gw/mesh.h"
 
+#include "gw/base/finite.h"
 #include "gw/error.h"
 #include "gw/mesh/decompose.h"
 
@@ -19,14 +20,15 @@ std::string count(std::size_t n, const char* one, const char* many) {
 
 void check_length(std::size_t length, std::size_t vertices, const char* name,
                   const char* many = nullptr) {
+    if (length == 0 || length == vertices) return;
     const std::string plural = many ? many : std::string(name) + "s";
-    if (length != 0 && length != vertices)
-        fail(count(length, name, plural.c_str()) + " for " +
-             count(vertices, "position", "positions") + "; expected as many, or none");
+    fail(count(length, name, plural.c_str()) + " for " + count(vertices, "position", "positions") +
+         "; expected as many, or none");
 }
 
 template <class Vector>
 void check_finite(const std::vector<Vector>& values, const char* name) {
+    if (values.empty() || all_finite(&values[0].x, values.size() * Vector::length())) return;
     for (std::size_t i = 0; i < values.size(); ++i)
         for (int k = 0; k < Vector::length(); ++k)
             if (!std::isfinite(values[i][k]))

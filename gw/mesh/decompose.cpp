@@ -32,6 +32,7 @@ std::vector<Triangle> separate_triangles(const MeshData& data, Corners c) {
 // does.
 std::vector<Triangle> strip(Corners c) {
     std::vector<Triangle> triangles;
+    triangles.reserve(c.size());
     for (std::uint32_t i = 0; i + 2 < c.size(); ++i) {
         const bool odd = i % 2 != 0;
         triangles.push_back({{c[i + odd], c[i + !odd], c[i + 2]}, c[i + 2], i});
@@ -41,6 +42,7 @@ std::vector<Triangle> strip(Corners c) {
 
 std::vector<Triangle> fan(Corners c) {
     std::vector<Triangle> triangles;
+    triangles.reserve(c.size());
     for (std::uint32_t i = 0; i + 2 < c.size(); ++i)
         triangles.push_back({{c[0], c[i + 1], c[i + 2]}, c[i + 2], i});
     return triangles;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/finite.h"
 #include "gw/error.h"
 #include "gw/machine.h"
 
@@ -55,18 +56,16 @@ struct Checker {
     void finite(const char* what, double v) const {
         require(std::isfinite(v), what, v, "a finite number");
     }
-    void finite(const char* what, const dvec4& v) const {
-        for (int i = 0; i < 4; ++i) finite(what, v[i]);
-    }
-    void finite(const char* what, const vec4& v) const {
-        for (int i = 0; i < 4; ++i) finite(what, double(v[i]));
-    }
-    void finite(const char* what, const vec3& v) const {
-        for (int i = 0; i < 3; ++i) finite(what, double(v[i]));
-    }
-    void finite(const char* what, const dmat4& m) const {
-        for (int c = 0; c < 4; ++c)
-            for (int r = 0; r < 4; ++r) finite(what, m[c][r]);
+    void finite(const char* what, const dvec4& v) const { finite(what, &v.x, 4); }
+    void finite(const char* what, const vec4& v) const { finite(what, &v.x, 4); }
+    void finite(const char* what, const vec3& v) const { finite(what, &v.x, 3); }
+    void finite(const char* what, const dmat4& m) const { finite(what, &m[0][0], 16); }
+
+private:
+    template <class T>
+    void finite(const char* what, const T* first, std::size_t count) const {
+        if (all_finite(first, count)) return;
+        for (std::size_t i = 0; i < count; ++i) finite(what, double(first[i]));
     }
 };
 
