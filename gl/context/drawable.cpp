@@ -206,6 +206,7 @@ bool Drawable::finish(Cause cause) {
     }
     flush(ends ? Cause::Shown : cause);
     present();
+    wait_until_shown();
     if (ends) end_frame();
     return ends;
 }

@@ -73,6 +73,8 @@ public:
     void swap();
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
+    /// Waits until it is there.
+    virtual void wait_until_shown() {}
     /// Executes the frame and reads a rectangle inside the drawable.
     Readback read(Plane plane, const Rect& rect, Cause cause);
     /// The colours of a buffer, whatever the read buffer is.

@@ -42,4 +42,52 @@ QuietErrors::~QuietErrors() {
     UnlockDisplay(display_);
 }
 
+struct QuietRequests::Handler {
+    _XAsyncHandler hook{};
+    unsigned long first = 1, last = 0;  ///< serial numbers
+
+    static Bool take(Display* display, xReply* reply, char*, int, XPointer data) {
+        const Handler& handler = *reinterpret_cast<Handler*>(data);
+        const unsigned long serial = display->last_request_read;
+        return reply->generic.type == X_Error && serial >= handler.first && serial <= handler.last;
+    }
+};
+
+QuietRequests::QuietRequests(Display* display)
+    : display_(display), handler_(std::make_unique<Handler>()) {
+    handler_->hook.handler = &Handler::take;
+    handler_->hook.data = reinterpret_cast<XPointer>(handler_.get());
+    LockDisplay(display);
+    handler_->hook.next = display->async_handlers;
+    display->async_handlers = &handler_->hook;
+    UnlockDisplay(display);
+}
+
+void QuietRequests::begin() {
+    handler_->first = XNextRequest(display_);
+    handler_->last = ~0ul;
+}
+
+void QuietRequests::end() {
+    handler_->last = XNextRequest(display_) - 1;
+    XFlush(display_);
+}
+
+void QuietRequests::wait() {
+    if (handler_ && XLastKnownRequestProcessed(display_) < handler_->last) XSync(display_, False);
+}
+
+void QuietRequests::lose_display() {
+    if (!handler_) return;
+    LockDisplay(display_);
+    DeqAsyncHandler(display_, &handler_->hook);
+    UnlockDisplay(display_);
+    handler_ = nullptr;
+}
+
+QuietRequests::~QuietRequests() {
+    wait();
+    lose_display();
+}
+
 }  // namespace gw::gl::x11

@@ -38,4 +38,33 @@ private:
     std::unique_ptr<Handler> handler_;
 };
 
+/// Requests that are not waited for: their errors are not reported, whenever they come.
+class QuietRequests {
+public:
+    explicit QuietRequests(Display* display);
+    ~QuietRequests();
+    QuietRequests(const QuietRequests&) = delete;
+    QuietRequests& operator=(const QuietRequests&) = delete;
+    /// Before the display is closed. Nothing is sent after it.
+    void lose_display();
+
+    /// Sends the requests of `make`, which takes the place of the earlier ones: the caller has
+    /// waited for them, and has the display for itself.
+    template <class Make>
+    void send(Make make) {
+        begin();
+        make();
+        end();
+    }
+    /// Waits until the server has carried them out, unless it is known to have.
+    void wait();
+
+private:
+    struct Handler;
+    void begin();
+    void end();
+    Display* const display_;
+    std::unique_ptr<Handler> handler_;  ///< null: the display is lost
+};
+
 }  // namespace gw::gl::x11

@@ -1,7 +1,5 @@
 #include "gl/x11/shown_image.h"
 
-#include "gl/x11/quiet_errors.h"
-
 #include <X11/extensions/XShm.h>
 #include <sys/ipc.h>
 #include <sys/shm.h>
@@ -133,13 +131,14 @@ void ShownImage::Memory::allocate(Display* display, const XVisualInfo& visual, i
 }
 
 ShownImage::ShownImage(Display* display, const XVisualInfo& visual, XID target, int height)
-    : display_(display), visual_(visual), target_(target), target_height_(height) {
+    : display_(display), visual_(visual), target_(target), target_height_(height), put_(display) {
     QuietErrors quiet(display);
     gc_ = XCreateGC(display, target, 0, nullptr);
 }
 
 void ShownImage::lose_display() {
     if (lost_display_.exchange(true)) return;
+    put_.lose_display();
     if (gc_ != nullptr) XFreeGC(display_, gc_);
 }
 
@@ -151,6 +150,7 @@ ShownImage::~ShownImage() {
 }
 
 void ShownImage::fit(int width, int height) {
+    put_.wait();
     if (memory_ && memory_->image->width == width && memory_->image->height == height) return;
     if (memory_ && memory_->is_shared) XShmDetach(display_, &memory_->segment);
     memory_ = nullptr;
@@ -198,14 +198,16 @@ void ShownImage::show(gl::Drawable& drawable, gw::ReadBuffer buffer) {
 }
 
 void ShownImage::put() {
-    const QuietErrors quiet(display_);  // waits until the server has read the image
+    const LockedDisplay locked(display_);
     XImage& image = *memory_->image;
     const unsigned width = unsigned(image.width), height = unsigned(image.height);
     const int top = target_height_ - image.height;
-    if (memory_->is_shared)
-        XShmPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height, False);
-    else
-        XPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height);
+    put_.send([&] {
+        if (memory_->is_shared)
+            XShmPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height, False);
+        else
+            XPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height);
+    });
 }
 
 }  // namespace gw::gl::x11

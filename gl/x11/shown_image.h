@@ -2,7 +2,7 @@
 // memory shared with the server if it can (MIT-SHM).
 #pragma once
 
-#include "gl/x11/x11.h"
+#include "gl/x11/quiet_errors.h"
 
 #include <atomic>
 #include <cstdint>
@@ -48,7 +48,10 @@ public:
     /// The image's words, the top row first, of bytes B, G, R and 0: to be filled, and put() there.
     /// None: the server's pixels differ.
     std::optional<std::span<std::uint32_t>> words(int width, int height, int color_bits);
+    /// The server reads the image while the caller goes on.
     void put();
+    /// Waits until the server has read the image.
+    void wait() { put_.wait(); }
 
 private:
     struct Memory;
@@ -62,6 +65,7 @@ private:
     int target_height_;
     std::atomic<bool> lost_display_ = false;
     GC gc_ = nullptr;
+    QuietRequests put_;
     std::unique_ptr<PixelFormat> format_;
     std::unique_ptr<Memory> memory_;
     std::vector<std::uint32_t> packed_;  ///< what was read of the drawable

@@ -39,6 +39,12 @@ void Surface::present() {
     if (take_front_changed()) show();
 }
 
+void Surface::wait_until_shown() {
+    if (!image_ || image_->has_lost_display()) return;
+    const LockedDisplay locked(display_);
+    image_->wait();
+}
+
 std::optional<Surface::FrameTarget> Surface::frame_target() {
     if (kind_ != Kind::Window || image_->has_lost_display()) return std::nullopt;
     if (!own_) own_ = std::make_unique<OwnWindow>(display_, visual_, target_);
@@ -46,8 +52,10 @@ std::optional<Surface::FrameTarget> Surface::frame_target() {
     own_->image()->set_target_height(image_->target_height());
     const auto words = own_->image()->words(width(), height(), profile().color_bits);
     if (!words) return std::nullopt;
-    return FrameTarget{
-        *words, {.top_first = true, .blue_first = true}, [image = own_->image()] { image->put(); }};
+    return FrameTarget{*words, {.top_first = true, .blue_first = true}, [image = own_->image()] {
+                           image->put();
+                           image->wait();
+                       }};
 }
 
 // The server answers: what the program asked of the window before is done when the frame comes.

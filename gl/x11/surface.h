@@ -25,6 +25,7 @@ public:
 
     /// Shows the front buffer if it has changed.
     void present() override;
+    void wait_until_shown() override;
     bool is_off_screen() const override { return kind_ == Kind::Pbuffer; }
     /// SwapBuffers: of double-buffered windows and pbuffers.
     void swap_buffers();
