@@ -3,6 +3,7 @@
 #include "gl/context/settings.h"
 #include "gw/base/parallel.h"
 
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
@@ -22,6 +23,9 @@ std::size_t pixel_bytes(const gw::DrawPixels& pixels) {
     return pixels.colors.size() * sizeof(Rgba) + pixels.bits.size() +
            (pixels.depths.size() + pixels.stencils.size()) * sizeof(std::uint32_t);
 }
+
+/// Memory of drawn pixels that is kept for the next ones.
+constexpr std::size_t most_spare = 4, most_spare_pixels = 1u << 20;
 
 std::unique_ptr<FrameLog> log;
 
@@ -127,7 +131,27 @@ void Drawable::settle() {
         drop_frame();
         throw;
     }
-    executed_.commands.clear();
+    recycle(executed_.commands);
+}
+
+void Drawable::recycle(std::vector<Command>& commands) {
+    for (Command& command : commands) {
+        auto* const pixels = std::get_if<gw::DrawPixels>(&command);
+        if (pixels == nullptr || pixels->colors.empty()) continue;
+        if (spare_colors_.size() < most_spare && pixels->colors.capacity() <= most_spare_pixels)
+            spare_colors_.push_back(std::move(pixels->colors));
+    }
+    commands.clear();
+}
+
+std::vector<Rgba> Drawable::spare_colors(std::size_t pixels) {
+    const auto lock = exclusive();
+    const auto fits = [&](const std::vector<Rgba>& spare) { return spare.capacity() >= pixels; };
+    const auto found = std::find_if(spare_colors_.begin(), spare_colors_.end(), fits);
+    if (found == spare_colors_.end()) return {};
+    std::vector<Rgba> spare = std::move(*found);
+    spare_colors_.erase(found);
+    return spare;
 }
 
 void Drawable::end_background() noexcept {
@@ -190,7 +214,7 @@ void Drawable::flush(Cause cause) {
         log->executed(*this, {list, calls, cause, sum});
     }
     machine_->reset_passes();
-    list.commands.clear();  // the memory is for the next frame
+    recycle(list.commands);  // the memory is for the next frame
     calls.clear();
     frame_ = std::move(list);
     frame_calls_ = std::move(calls);

@@ -64,7 +64,7 @@ void set_stencils(gw::DrawPixels& out, const Context& c, const std::vector<GLuin
 bool is_identity(const PixelState& s, Plane plane) {
     if (plane == Plane::Depth) return s.depth_scale == 1 && s.depth_bias == 0;
     if (plane == Plane::Stencil) return s.index_shift == 0 && s.index_offset == 0 && !s.map_stencil;
-    return s.scale == vec4(1) && s.bias == vec4(0) && !s.map_color;
+    return leaves_colors(s);
 }
 
 /// The pixels of a copy, read and transferred by the front end.
@@ -180,7 +180,8 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
     else if (format == GL_STENCIL_INDEX)
         set_stencils(out, c, host_stencils(c, width, height, type, image));
     else
-        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits);
+        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits,
+                               c.drawable->spare_colors(out.area()));
     add_rectangle(c, std::move(out));
 }
 

@@ -54,15 +54,12 @@ void copy_bits(std::byte* to, bool to_lsb, std::size_t to_first, const std::byte
 
 }  // namespace
 
-std::optional<std::span<const std::byte>> rows_in_memory(const PixelStore& store, GLsizei width,
-                                                         GLsizei height, GLenum format, GLenum type,
-                                                         const void* memory) {
+std::optional<std::size_t> rows_in_memory(const PixelStore& store, GLsizei width, GLenum format,
+                                          GLenum type) {
     const std::size_t row = memory_row(store, width, format, type);
     if (row != row_bytes(width, format, type) || type == GL_BITMAP || store.swap_bytes)
         return std::nullopt;
-    return std::span(
-        static_cast<const std::byte*>(memory) + skipped_bytes(store, row, format, type),
-        row * std::size_t(height));
+    return skipped_bytes(store, row, format, type);
 }
 
 std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,
@@ -110,7 +107,10 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
     if (format_error(format, type) != GL_NO_ERROR) return {};
     const PixelStore& store = current->client.unpack;
     return guarded(*current, [&]() -> HostImage {
-        const auto rows = rows_in_memory(store, width, height, format, type, pixels);
+        std::optional<std::span<const std::byte>> rows;
+        if (const auto first = rows_in_memory(store, width, format, type))
+            rows.emplace(static_cast<const std::byte*>(pixels) + *first,
+                         row_bytes(width, format, type) * std::size_t(height));
         if (rows && !current->lists.open) return {*rows, nullptr};
         auto kept = std::make_shared<const std::vector<std::byte>>(
             rows ? std::vector(rows->begin(), rows->end())

@@ -12,10 +12,10 @@
 
 namespace gw::gl {
 
-/// An image that lies in the caller's memory as copy_from_memory() gives it.
-std::optional<std::span<const std::byte>> rows_in_memory(const PixelStore& store, GLsizei width,
-                                                         GLsizei height, GLenum format, GLenum type,
-                                                         const void* memory);
+/// Where an image begins in the caller's memory, in bytes, if its rows lie there as
+/// copy_from_memory() gives them.
+std::optional<std::size_t> rows_in_memory(const PixelStore& store, GLsizei width, GLenum format,
+                                          GLenum type);
 /// Copies an image out of the caller's memory: rows without padding, the host's byte order, bitmaps
 /// with the highest bit first.
 std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,

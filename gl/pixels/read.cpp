@@ -67,11 +67,31 @@ bool has_bytes(const Context& c) { return c.read_drawable->profile().color_bits 
 
 double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
 
+/// Whether bytes of a format are bytes of the plane, each after transfer.
+bool is_read_as_bytes(const Context& c, GLenum format, GLenum type) {
+    return type == GL_UNSIGNED_BYTE && is_texel_format(format) && has_bytes(c) &&
+           format != GL_LUMINANCE && format != GL_LUMINANCE_ALPHA;
+}
+
+/// Reads them, row after row.
+void read_bytes(Context& c, const Rect& rect, GLenum format, std::byte* out) {
+    const bool is_words = (format == GL_RGBA || format == GL_BGRA) &&
+                          reinterpret_cast<std::uintptr_t>(out) % alignof(std::uint32_t) == 0;
+    if (!is_words || intersection(*c.read_drawable, rect) != rect)
+        return pack_bytes(c, read_words(c, rect, Cause::Read), format, out);
+    const std::span words(reinterpret_cast<std::uint32_t*>(out), rect.area());
+    submit_read_buffer(c);
+    c.read_drawable->read_packed(rect, Cause::Read, words);
+    pack_bytes(c, words, format, out);
+}
+
 /// The rows of a rectangle of colours for memory.
 std::vector<std::byte> packed_rows(Context& c, const Rect& rect, GLenum format, GLenum type) {
-    if (type == GL_UNSIGNED_BYTE && has_bytes(c))
-        if (auto rows = packed_bytes(c, read_words(c, rect, Cause::Read), format))
-            return std::move(*rows);
+    if (is_read_as_bytes(c, format, type)) {
+        std::vector<std::byte> rows(rect.area() * std::size_t(component_count(format)));
+        read_bytes(c, rect, format, rows.data());
+        return rows;
+    }
     std::vector<vec4> colors = read_colors(c, rect, Cause::Read);
     for (vec4& color : colors) color = transferred_color(c, color);
     return packed_colors(colors, format, type);
@@ -132,6 +152,9 @@ void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GL
     if (c.read_drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
     flush_mesh(c);
     const Rect rect{x, y, width, height};
+    if (is_read_as_bytes(c, format, type))
+        if (const auto at = rows_in_memory(c.client.pack, width, format, type))
+            return read_bytes(c, rect, format, static_cast<std::byte*>(pixels) + *at);
     std::vector<std::byte> rows;
     if (format == GL_DEPTH_STENCIL) {
         rows = packed_pairs(c, rect);

@@ -3,6 +3,7 @@
 #include "gl/api/convert.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
+#include "gl/pixels/byte_formats.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/packed.h"
 
@@ -118,21 +119,12 @@ ByteTables<T> quantized_bytes(const Context& c, int bits) {
     return byte_tables<T>(c, [&](float v) { return T(quantize(double(v), bits)); });
 }
 
-/// Whether each byte becomes the same multiple of itself: 8 or 16 bits without transfer.
-bool scales_evenly(const ByteTables<std::uint16_t>& tables) {
-    for (const auto& table : tables)
-        for (std::size_t byte = 0; byte < 256; ++byte)
-            if (table[byte] != byte * tables[0][1]) return false;
-    return true;
-}
-/// Rows of R, G, B, A, each multiplied.
-std::vector<Rgba> scaled(std::span<const std::byte> rgba, std::uint16_t factor) {
-    std::vector<Rgba> out(rgba.size() / 4);
-    const std::byte* const from = rgba.data();
-    std::uint16_t* const to = out.empty() ? nullptr : out.data()->data();
-    for (std::size_t i = 0; i < 4 * out.size(); ++i)
-        to[i] = std::uint16_t(std::to_integer<unsigned>(from[i]) * factor);
-    return out;
+/// What pixel transfer multiplies each byte by if it does no more.
+std::optional<std::uint16_t> factor_of_bytes(const Context& c, int bits) {
+    if (!leaves_colors(c.state.pixel)) return std::nullopt;
+    if (bits == 8) return std::uint16_t{1};
+    if (bits == 16) return std::uint16_t{257};
+    return std::nullopt;
 }
 
 /// Smaller images are transferred without tables.
@@ -150,6 +142,10 @@ std::array<std::size_t, 4> component_of_channel(GLenum format) {
 }
 
 }  // namespace
+
+bool leaves_colors(const PixelState& s) {
+    return s.scale == vec4(1) && s.bias == vec4(0) && !s.map_color;
+}
 
 vec4 transferred_color(const Context& c, vec4 color) {
     const PixelState& s = c.state.pixel;
@@ -183,9 +179,13 @@ std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, G
 }
 
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                            GLenum type, const HostImage& image, int bits) {
+                            GLenum type, const HostImage& image, int bits, std::vector<Rgba> out) {
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    std::vector<Rgba> out;
+    if (const auto factor = factor_of_bytes(c, bits); factor && type == GL_UNSIGNED_BYTE) {
+        out.resize(pixels);
+        if (scale_bytes(format, image.bytes, *factor, out)) return out;
+    }
+    out.clear();
     out.reserve(pixels);
     if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || pixels < fewest_pixels) {
         for (const vec4& color : host_colors(c, width, height, format, type, image))
@@ -193,7 +193,6 @@ std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLe
         return out;
     }
     const auto tables = quantized_bytes<std::uint16_t>(c, bits);
-    if (format == GL_RGBA && scales_evenly(tables)) return scaled(image.bytes, tables[0][1]);
     const auto from = component_of_channel(format);
     const auto count = std::size_t(component_count(format));
     const std::byte* at = image.bytes.data();
@@ -273,25 +272,21 @@ std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum for
     return out;
 }
 
-std::optional<std::vector<std::byte>> packed_bytes(const Context& c,
-                                                   std::span<const std::uint32_t> pixels,
-                                                   GLenum format) {
-    if (format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA) return std::nullopt;
-    const auto tables = byte_tables<std::byte>(c, [](float v) {
-        std::byte out;
-        store_component(GL_UNSIGNED_BYTE, &out, double(v), false);
-        return out;
-    });
+void pack_bytes(const Context& c, std::span<const std::uint32_t> pixels, GLenum format,
+                std::byte* out) {
+    if (leaves_colors(c.state.pixel) && pack_words(pixels, format, out)) return;
     const auto count = std::size_t(component_count(format));
     const std::array<double, 4> channels = components_of(format, {0, 1, 2, 3});
-    std::vector<std::byte> out(pixels.size() * count);
-    std::byte* at = out.data();
+    const auto tables = byte_tables<std::byte>(c, [](float v) {
+        std::byte byte;
+        store_component(GL_UNSIGNED_BYTE, &byte, double(v), false);
+        return byte;
+    });
     for (const std::uint32_t p : pixels)
         for (std::size_t i = 0; i < count; ++i) {
             const auto channel = std::size_t(channels[i]);
-            *at++ = tables[channel][p >> 8 * channel & 255];
+            *out++ = tables[channel][p >> 8 * channel & 255];
         }
-    return out;
 }
 
 std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei width,

@@ -13,7 +13,10 @@
 namespace gw::gl {
 
 struct Context;
+struct PixelState;
 
+/// Whether transfer leaves colours in 0 .. 1 as they are.
+bool leaves_colors(const PixelState& s);
 /// Scale, bias and the maps from colours to colours; clamped to 0 .. 1.
 vec4 transferred_color(const Context& c, vec4 color);
 double transferred_depth(const Context& c, double depth);
@@ -23,9 +26,10 @@ GLuint transferred_stencil(const Context& c, double index);
 /// The pixels of an image after transfer. Colour indices become colours.
 std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
                               GLenum type, const HostImage& image);
-/// The same, quantized to `bits` bits.
+/// The same, quantized to `bits` bits, in memory that is used again.
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                            GLenum type, const HostImage& image, int bits);
+                            GLenum type, const HostImage& image, int bits,
+                            std::vector<Rgba> memory = {});
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image);
 std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
@@ -42,10 +46,10 @@ DepthsAndStencils host_depths_and_stencils(const Context& c, GLsizei width, GLsi
 /// Pixels of 8 bits a channel, R in the lowest byte, after transfer and quantized to `bits` bits.
 std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,
                                    int bits);
-/// The same as rows of bytes in a format; nothing if the format adds channels.
-std::optional<std::vector<std::byte>> packed_bytes(const Context& c,
-                                                   std::span<const std::uint32_t> pixels,
-                                                   GLenum format);
+/// The same as bytes of a format other than luminance. `out` may be the pixels' memory if the format
+/// has four components.
+void pack_bytes(const Context& c, std::span<const std::uint32_t> pixels, GLenum format,
+                std::byte* out);
 
 /// Rows of pixels in a format and type, from colours after transfer.
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type);

@@ -42,6 +42,54 @@ TEST(GlPixels, EveryFormatAndTypeReadsBackWhatItDraws) {
         }
 }
 
+TEST(GlPixels, BytesOfEveryFormatAreChannels) {
+    const std::vector<std::pair<GLenum, std::vector<std::size_t>>> formats{
+        {GL_RGBA, {0, 1, 2, 3}}, {GL_BGRA, {2, 1, 0, 3}}, {GL_RGB, {0, 1, 2}}, {GL_BGR, {2, 1, 0}},
+        {GL_RED, {0}},           {GL_BLUE, {2}},          {GL_ALPHA, {3}}};
+    const Window window;
+    const auto pixels = noise(window);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (const auto& [format, channels] : formats)
+        for (const std::size_t first : {0, 1})  // where words are aligned, and where they are not
+            for (const int x : {0, 8, -8}) {    // also beyond the window
+                alignas(4) std::array<GLubyte, 24 * 32 * 4 + 1> memory{};
+                glReadPixels(x, 0, 24, 32, format, GL_UNSIGNED_BYTE, memory.data() + first);
+                const GLubyte* at = memory.data() + first;
+                for (int i = 0; i < 24 * 32; ++i)
+                    for (const std::size_t channel : channels) {
+                        const int column = x + i % 24, index = i / 24 * 32 + column;
+                        ASSERT_EQ(*at++, column < 0 ? 0 : pixels[std::size_t(index)][channel])
+                            << format << " at " << column << " " << i / 24;
+                    }
+            }
+}
+
+TEST(GlPixels, BytesOfEveryFormatAreDrawn) {
+    const std::vector<std::pair<GLenum, Color>> formats{
+        {GL_RGB, {10, 90, 200, 255}},      {GL_BGR, {200, 90, 10, 255}},
+        {GL_BGRA, {200, 90, 10, 40}},      {GL_LUMINANCE_ALPHA, {10, 10, 10, 90}},
+        {GL_LUMINANCE, {10, 10, 10, 255}}, {GL_GREEN, {0, 10, 0, 255}}};
+    const std::array<GLubyte, 4> components{10, 90, 200, 40};
+    for (const auto& [format, expected] : formats) {
+        const Window window;
+        use_pixel_coordinates(window);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        const std::size_t count = format == GL_BGRA                      ? 4
+                                  : format == GL_RGB || format == GL_BGR ? 3
+                                  : format == GL_LUMINANCE_ALPHA         ? 2
+                                                                         : 1;
+        std::vector<GLubyte> bytes;
+        for (std::size_t i = 0; i < 27 * 25 * count; ++i) bytes.push_back(components[i % count]);
+        glRasterPos2i(3, 2);
+        glDrawPixels(27, 25, format, GL_UNSIGNED_BYTE, bytes.data());
+        for (int y = 0; y < 32; ++y)
+            for (int x = 0; x < 32; ++x) {
+                const bool is_inside = x >= 3 && x < 30 && y >= 2 && y < 27;
+                ASSERT_EQ(window.pixel(x, y), is_inside ? expected : Color{}) << format;
+            }
+    }
+}
+
 TEST(GlPixels, StorageSkipsAlignsAndSwaps) {
     const Window window;
     const auto pixels = noise(window);
