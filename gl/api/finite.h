@@ -3,6 +3,8 @@
 
 #include <glm/vec4.hpp>
 
+#include <bit>
+#include <cstdint>
 #include <limits>
 
 namespace gw::gl {
@@ -21,11 +23,25 @@ constexpr T finite(T v) {
     return v != v ? T(0) : clamped(v, -largest, largest);
 }
 
-/// The same of each component.
+/// Whether no component is infinite or NaN: those have all bits of the exponent.
+inline bool all_finite(const glm::vec4& v) {
+    std::uint32_t sums = 0;
+    for (glm::length_t i = 0; i < 4; ++i)
+        sums |= (std::bit_cast<std::uint32_t>(v[i]) & 0x7FFFFFFFu) + 0x00800000u;
+    return sums >> 31 == 0;
+}
+
+/// finite() of each component.
 template <glm::length_t n, class T>
 glm::vec<n, T> finite(glm::vec<n, T> v) {
     for (glm::length_t i = 0; i < n; ++i) v[i] = finite(v[i]);
     return v;
+}
+
+inline glm::vec4 finite(const glm::vec4& v) {
+    if (all_finite(v)) [[likely]]
+        return v;
+    return finite<4, float>(v);
 }
 
 }  // namespace gw::gl

@@ -10,7 +10,9 @@
 #include "gl/pixels/packed.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
 #include <vector>
 
 namespace gw::gl {
@@ -30,7 +32,7 @@ vec4 element(const ClientArray& a, GLint i, bool is_unit) {
     const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
     const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
     if (a.type == GL_FLOAT) {
-        for (int k = 0; k < a.size; ++k, at += bytes) std::memcpy(&out[k], at, sizeof(float));
+        std::memcpy(&out.x, at, std::size_t(a.size) * sizeof(float));
         return out;
     }
     for (int k = 0; k < a.size; ++k, at += bytes)
@@ -76,19 +78,54 @@ void send_element(const ClientState& client, GLint i) {
     perform<execute::vertex>(Function::Vertex4f, v.x, v.y, v.z, v.w);
 }
 
-/// An element as a vertex; `v` has the values that no array gives. The current values stay.
-void add_element(Context& c, GLint i, AssembledVertex v) {
-    const ClientState& client = c.client;
-    if (is_given(client, Array::EdgeFlag))
-        v.edge_and_material = element(client.array(Array::EdgeFlag), i, false).x != 0 ? 1u : 0u;
-    if (is_given(client, Array::TexCoord))
-        v.texcoord = finite(element(client.array(Array::TexCoord), i, false));
-    if (is_given(client, Array::Color))
-        v.color = finite(element(client.array(Array::Color), i, true));
-    if (is_given(client, Array::Normal))
-        v.normal = vec3(finite(element(client.array(Array::Normal), i, true)));
-    v.position = element(client.array(Array::Vertex), i, false);
-    add_vertex(c, v);
+/// Calls take(k, element index_of(k)) for elements of `size` floats.
+template <int size, class IndexOf, class Take>
+void for_each_of_floats(const ClientArray& a, GLsizei count, IndexOf index_of, Take take) {
+    const std::ptrdiff_t stride = a.stride != 0 ? a.stride : size * int(sizeof(float));
+    for (GLsizei k = 0; k < count; ++k) {
+        vec4 out{0, 0, 0, 1};
+        std::memcpy(&out.x, a.pointer + index_of(k) * stride, size * sizeof(float));
+        take(k, out);
+    }
+}
+/// Calls take(k, element index_of(k)) for each k below `count`.
+template <class IndexOf, class Take>
+void for_each_element(const ClientArray& a, GLsizei count, bool is_unit, IndexOf index_of,
+                      Take take) {
+    if (a.type == GL_FLOAT && a.size == 2) return for_each_of_floats<2>(a, count, index_of, take);
+    if (a.type == GL_FLOAT && a.size == 3) return for_each_of_floats<3>(a, count, index_of, take);
+    if (a.type == GL_FLOAT && a.size == 4) return for_each_of_floats<4>(a, count, index_of, take);
+    for (GLsizei k = 0; k < count; ++k) take(k, element(a, index_of(k), is_unit));
+}
+
+/// Gives vertices the values of elements.
+template <class IndexOf>
+void set_values(const ClientState& client, std::span<AssembledVertex> out, IndexOf index_of) {
+    const auto set = [&](Array which, bool is_unit, auto value) {
+        if (!is_given(client, which)) return;
+        for_each_element(
+            client.array(which), GLsizei(out.size()), is_unit, index_of,
+            [&](GLsizei k, const vec4& element) { value(out[std::size_t(k)], element); });
+    };
+    set(Array::EdgeFlag, false,
+        [](AssembledVertex& v, const vec4& flag) { v.edge_and_material = flag.x != 0 ? 1u : 0u; });
+    set(Array::TexCoord, false, [](AssembledVertex& v, const vec4& s) { v.texcoord = finite(s); });
+    set(Array::Color, true, [](AssembledVertex& v, const vec4& c) { v.color = finite(c); });
+    set(Array::Normal, true, [](AssembledVertex& v, const vec4& n) { v.normal = finite(n); });
+    set(Array::Vertex, false, [](AssembledVertex& v, const vec4& p) { v.position = p; });
+}
+
+/// Elements as vertices. What no array gives is the current value; the current values stay.
+template <class IndexOf>
+void add_elements(Context& c, GLsizei count, IndexOf index_of) {
+    constexpr GLsizei some = 64;  // stay in the first cache
+    std::array<AssembledVertex, some> vertices;
+    vertices.fill(current_vertex(c));
+    for (GLsizei first = 0; first < count; first += some) {
+        const std::span added(vertices.data(), std::size_t(std::min(some, count - first)));
+        set_values(c.client, added, [&](GLsizei k) { return index_of(first + k); });
+        add_vertices(c, added);
+    }
 }
 
 /// Draws separate primitives whose vertices stand in the mesh once each. False, and nothing is done:
@@ -109,8 +146,7 @@ bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
     if (vertices >= indices.size()) return false;
 
     execute::begin(c, mode);
-    const AssembledVertex current = current_vertex(c);
-    for (std::uint32_t i = 0; i < vertices; ++i) add_element(c, GLint(first + i), current);
+    add_elements(c, GLsizei(vertices), [&](GLsizei k) { return GLint(first) + k; });
     for (std::uint32_t& index : indices) index -= first;
     const bool whole = c.assembler.mesh.end_shared(vertices, indices);
     c.assembler.inside = false;
@@ -121,9 +157,7 @@ bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
 template <class IndexOf>
 void draw_elements_one_by_one(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
     execute::begin(c, mode);
-    const AssembledVertex current = current_vertex(c);
-    if (is_given(c.client, Array::Vertex))
-        for (GLsizei i = 0; i < count; ++i) add_element(c, index_of(i), current);
+    if (is_given(c.client, Array::Vertex)) add_elements(c, count, index_of);
     execute::end(c);
 }
 

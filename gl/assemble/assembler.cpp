@@ -5,17 +5,9 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace gw::gl {
-
-namespace {
-
-bool all_finite(const vec4& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
-}
-
-}  // namespace
 
 void Assembler::clear() {
     mesh.clear();
@@ -34,18 +26,41 @@ AssembledVertex current_vertex(const Context& c) {
     return {{0, 0, 0, 1}, now.color, now.texcoord, now.normal, now.edge_flag ? 1u : 0u};
 }
 
-void add_vertex(Context& c, const AssembledVertex& v) {
+namespace {
+
+/// The index of the material of vertices that are added now. `is_first`: the mesh has none yet.
+std::uint32_t material_index(Context& c, bool is_first) {
     Assembler& a = c.assembler;
-    if (!a.inside || !all_finite(v.position)) return;
-    if (a.mesh.empty() || a.material_changed) {
+    if (is_first || a.material_changed) [[unlikely]] {
         a.materials.push_back(face_materials(c));
         a.material_changed = false;
     }
+    return static_cast<std::uint32_t>(a.materials.size() - 1);
+}
+
+}  // namespace
+
+void add_vertex(Context& c, AssembledVertex v) {
+    Assembler& a = c.assembler;
+    if (!a.inside || !all_finite(v.position)) return;
+    v.edge_and_material = material_index(c, a.mesh.empty()) << 1 | (v.edge_and_material & 1u);
     a.mesh.add(v);
     if (calls_are_kept) [[unlikely]]
         a.run_calls.add(c.calls.now);
-    const auto material = static_cast<std::uint32_t>(a.materials.size() - 1);
-    a.mesh.vertices.back().edge_and_material = material << 1 | (v.edge_and_material & 1u);
+}
+
+void add_vertices(Context& c, std::span<const AssembledVertex> added) {
+    Assembler& a = c.assembler;
+    const bool whole = std::all_of(added.begin(), added.end(),
+                                   [](const auto& v) { return all_finite(v.position); });
+    if (!a.inside || !whole) {
+        for (const AssembledVertex& v : added) add_vertex(c, v);
+        return;
+    }
+    const std::uint32_t material = material_index(c, a.mesh.empty());
+    a.mesh.add(added, material);
+    if (calls_are_kept)
+        for (std::size_t i = 0; i < added.size(); ++i) a.run_calls.add(c.calls.now);
 }
 
 namespace execute {

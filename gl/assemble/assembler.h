@@ -6,6 +6,7 @@
 #include "gl/assemble/run_calls.h"
 #include "gw/material.h"
 
+#include <span>
 #include <vector>
 
 namespace gw::gl {
@@ -29,7 +30,8 @@ void flush_mesh(Context& c);
 
 /// Adds a vertex to the open mesh, in place of Vertex; for evaluators too. Not a finite position: the
 /// vertex is dropped.
-void add_vertex(Context& c, const AssembledVertex& v);
+void add_vertex(Context& c, AssembledVertex v);
+void add_vertices(Context& c, std::span<const AssembledVertex> added);
 
 /// A vertex of the current values, at (0, 0, 0, 1).
 AssembledVertex current_vertex(const Context& c);

@@ -1,5 +1,6 @@
 #include "gl/assemble/assembly.h"
 
+#include <cstring>
 #include <numeric>
 
 namespace gw::gl {
@@ -24,6 +25,23 @@ Primitive primitive_of(GLenum mode, bool whole_strips) {
 }
 
 }  // namespace
+
+void Assembly::add(std::span<const AssembledVertex> added, std::uint32_t material) {
+    const std::size_t first = vertices.size();
+    vertices.insert(vertices.end(), added.begin(), added.end());
+    for (AssembledVertex& v : std::span(vertices).subspan(first)) {
+        if (!v.edge()) has_hidden_edges = true;
+        v.edge_and_material = material << 1 | (v.edge_and_material & 1u);
+    }
+}
+
+bool Assembly::operator==(const Assembly& other) const {
+    static_assert(sizeof(AssembledVertex) == 16 * sizeof(float));  // no padding
+    return primitive == other.primitive && vertices.size() == other.vertices.size() &&
+           std::memcmp(vertices.data(), other.vertices.data(),
+                       vertices.size() * sizeof(AssembledVertex)) == 0 &&
+           indices == other.indices && polygon_sizes == other.polygon_sizes;
+}
 
 bool Assembly::takes(GLenum mode, bool whole_strips) const {
     if (vertices.empty()) return true;
@@ -63,12 +81,18 @@ void Assembly::use_indices() {
     std::iota(indices.begin(), indices.end(), 0u);
 }
 
+/// Room for so many further indices.
+std::uint32_t* Assembly::add_indices(std::size_t count) {
+    indices.resize(indices.size() + count);
+    return indices.data() + (indices.size() - count);
+}
+
 /// The run's first `count` vertices are used in their order.
 void Assembly::keep_order(std::size_t count) {
     vertices.resize(run_begin_ + count);
     if (indices.empty()) return;
-    for (std::size_t i = 0; i < count; ++i)
-        indices.push_back(static_cast<std::uint32_t>(run_begin_ + i));
+    std::uint32_t* const at = add_indices(count);
+    std::iota(at, at + count, static_cast<std::uint32_t>(run_begin_));
 }
 
 /// All sides of strips and fans are edges of an outline. [GL11] 2.6.2
@@ -83,10 +107,12 @@ void Assembly::end_triangles(std::size_t n) {
     use_indices();
     const bool is_fan = mode_ == GL_TRIANGLE_FAN;
     const auto first = static_cast<std::uint32_t>(run_begin_);
+    std::uint32_t* at = add_indices(3 * (n - 2));
     for (std::uint32_t i = 2; i < n; ++i) {
         const std::uint32_t swap = i % 2;  // every second triangle of a strip
-        const std::uint32_t v0 = is_fan ? 0 : i - 2 + swap, v1 = is_fan ? i - 1 : i - 1 - swap;
-        indices.insert(indices.end(), {first + v0, first + v1, first + i});
+        *at++ = first + (is_fan ? 0 : i - 2 + swap);
+        *at++ = first + (is_fan ? i - 1 : i - 1 - swap);
+        *at++ = first + i;
     }
 }
 
@@ -97,8 +123,9 @@ void Assembly::end_quad_strip(std::size_t n) {
     set_edges();
     use_indices();
     const auto first = static_cast<std::uint32_t>(run_begin_);
+    std::uint32_t* at = add_indices((n - 2) / 2 * 4);
     for (std::uint32_t i = 0; i + 3 < n; i += 2)
-        indices.insert(indices.end(), {first + i + 2, first + i, first + i + 1, first + i + 3});
+        for (const std::uint32_t corner : {2, 0, 1, 3}) *at++ = first + i + corner;
 }
 
 void Assembly::end_lines(std::size_t n) {
@@ -137,8 +164,8 @@ bool Assembly::end_shared(std::size_t vertex_count, std::span<const std::uint32_
         return false;
     }
     use_indices();
-    for (const std::uint32_t i : run_indices)
-        indices.push_back(static_cast<std::uint32_t>(run_begin_) + i);
+    std::uint32_t* at = add_indices(run_indices.size());
+    for (const std::uint32_t i : run_indices) *at++ = static_cast<std::uint32_t>(run_begin_) + i;
     return true;
 }
 

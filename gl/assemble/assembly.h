@@ -40,6 +40,8 @@ struct Assembly {
         vertices.push_back(v);
         if (!v.edge()) has_hidden_edges = true;
     }
+    /// Vertices of one material.
+    void add(std::span<const AssembledVertex> added, std::uint32_t material);
     /// Ends the run; vertices of an incomplete primitive are dropped.
     void end();
     /// The vertices of each primitive of a mode whose primitives share none; 0: another mode.
@@ -52,16 +54,15 @@ struct Assembly {
     bool empty() const { return vertices.empty(); }
     /// Points, lines, triangles, quads or polygons of complete runs.
     std::size_t primitive_count() const;
-    bool operator==(const Assembly& other) const {
-        return primitive == other.primitive && vertices == other.vertices &&
-               indices == other.indices && polygon_sizes == other.polygon_sizes;
-    }
+    /// Whether all bits are the same.
+    bool operator==(const Assembly& other) const;
 
 private:
     GLenum mode_ = GL_POINTS;    ///< of the run
     std::size_t run_begin_ = 0;  ///< the run's first vertex
 
     void use_indices();
+    std::uint32_t* add_indices(std::size_t count);
     void keep_order(std::size_t count);
     void set_edges();
     void end_triangles(std::size_t n);

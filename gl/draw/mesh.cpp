@@ -17,8 +17,8 @@ bool all_equal(const std::vector<AssembledVertex>& vertices, Value value) {
 
 template <class T, class Value>
 void collect(std::vector<T>& out, const std::vector<AssembledVertex>& vertices, Value value) {
-    out.reserve(vertices.size());
-    for (const AssembledVertex& v : vertices) out.push_back(value(v));
+    out.resize(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), out.begin(), value);
 }
 
 void add_positions(MeshData& data, const std::vector<AssembledVertex>& vertices) {
