@@ -132,6 +132,7 @@ void Drawable::settle() {
         throw;
     }
     recycle(executed_.commands);
+    front_changed_ |= std::exchange(is_left_unseen_, false);
 }
 
 void Drawable::recycle(std::vector<Command>& commands) {
@@ -192,7 +193,7 @@ void Drawable::start_behind(FrameTarget target) {
     background_->start([this, show = std::move(target.show)] {
         machine_->execute(executed_);
         machine_->reset_passes();
-        show();
+        is_left_unseen_ = !show();
     });
 }
 
@@ -226,9 +227,9 @@ bool Drawable::finish(Cause cause) {
     if (!ends && background_) {  // nothing that anybody sees: executed when it is swapped
         const auto lock = exclusive();
         settle();
-        return false;
+    } else {
+        flush(ends ? Cause::Shown : cause);
     }
-    flush(ends ? Cause::Shown : cause);
     present();
     wait_until_shown();
     if (ends) end_frame();

@@ -99,13 +99,14 @@ protected:
     struct FrameTarget {
         std::span<std::uint32_t> pixels;  ///< the frame's colours, in `layout`
         ReadLayout layout;
-        std::function<void()> show;  ///< called when they are there
+        /// Called when they are there. Returns whether everybody sees them.
+        std::function<bool()> show;
     };
     /// Where the frame that ends goes; none: present() shows it. Called while nothing is executed.
     virtual std::optional<FrameTarget> frame_target() { return std::nullopt; }
     /// Before what frame_target() gave goes away.
     void end_background() noexcept;
-    /// Waits until all that was swapped is executed and shown. Throws what it threw.
+    /// Waits until all that was swapped is executed, and shown if it can be. Throws what it threw.
     void settle();
 
     /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
@@ -140,7 +141,8 @@ private:
     std::uint64_t frames_ = 0;
     bool frame_begins_ = true;
     bool front_changed_ = false;
-    bool front_drawn_ = false;  ///< in this frame
+    bool front_drawn_ = false;     ///< in this frame
+    bool is_left_unseen_ = false;  ///< by the last work of background_
     std::optional<SharedValue<gw::State>> last_state_;
 };
 

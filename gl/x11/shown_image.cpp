@@ -149,9 +149,13 @@ ShownImage::~ShownImage() {
     if (gc_ != nullptr) XFreeGC(display_, gc_);
 }
 
+bool ShownImage::has_size(int width, int height) const {
+    return memory_ && memory_->image->width == width && memory_->image->height == height;
+}
+
 void ShownImage::fit(int width, int height) {
     put_.wait();
-    if (memory_ && memory_->image->width == width && memory_->image->height == height) return;
+    if (has_size(width, height)) return;
     if (memory_ && memory_->is_shared) XShmDetach(display_, &memory_->segment);
     memory_ = nullptr;
     memory_ = std::make_unique<Memory>(display_, visual_, width, height);
@@ -162,8 +166,9 @@ const PixelFormat& ShownImage::format(int color_bits) {
     return *format_;
 }
 
-std::optional<std::span<std::uint32_t>> ShownImage::words(int width, int height, int color_bits) {
-    fit(width, height);
+std::optional<std::span<std::uint32_t>> ShownImage::shared_words(int width, int height,
+                                                                 int color_bits) {
+    if (!has_size(width, height) || !memory_->is_shared) return std::nullopt;
     if (!format(color_bits).is_bgr()) return std::nullopt;
     return words_of(*memory_->image);
 }
@@ -208,6 +213,17 @@ void ShownImage::put() {
         else
             XPutImage(display_, target_, gc_, &image, 0, 0, 0, top, width, height);
     });
+}
+
+bool ShownImage::put(OwnConnection& own) const {
+    const XImage& image = *memory_->image;
+    return own.put({.target = target_,
+                    .gc = XGContextFromGC(gc_),
+                    .segment = memory_->segment.shmseg,
+                    .width = image.width,
+                    .height = image.height,
+                    .depth = image.depth,
+                    .top = target_height_ - image.height});
 }
 
 }  // namespace gw::gl::x11

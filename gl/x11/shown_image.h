@@ -2,6 +2,7 @@
 // memory shared with the server if it can (MIT-SHM).
 #pragma once
 
+#include "gl/x11/own_connection.h"
 #include "gl/x11/quiet_errors.h"
 
 #include <atomic>
@@ -45,17 +46,20 @@ public:
 
     /// A window that is no longer there shows nothing, without an error.
     void show(gl::Drawable& drawable, gw::ReadBuffer buffer = gw::ReadBuffer::Front);
-    /// The image's words, the top row first, of bytes B, G, R and 0: to be filled, and put() there.
-    /// None: the server's pixels differ.
-    std::optional<std::span<std::uint32_t>> words(int width, int height, int color_bits);
-    /// The server reads the image while the caller goes on.
-    void put();
-    /// Waits until the server has read the image.
+    /// Makes the image so large. Precondition: nobody is filling it.
+    void fit(int width, int height);
+    /// The words of an image of this size, the top row first, of bytes B, G, R and 0: to be filled,
+    /// and put(). None: the image or the server's pixels differ, or its memory is not shared.
+    std::optional<std::span<std::uint32_t>> shared_words(int width, int height, int color_bits);
+    /// Returns whether it is shown. Uses nothing of the program's connection.
+    bool put(OwnConnection& own) const;
+    /// Waits until the server has read what show() put.
     void wait() { put_.wait(); }
 
 private:
     struct Memory;
-    void fit(int width, int height);
+    bool has_size(int width, int height) const;
+    void put();
     const PixelFormat& format(int color_bits);
     void fill(gl::Drawable& drawable, gw::ReadBuffer buffer);
 

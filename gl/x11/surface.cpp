@@ -26,7 +26,6 @@ Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, K
     : gl::Drawable(settings().profile, size_on_machine(width), size_on_machine(height),
                    recorded_name(kind), kind == Kind::Pixmap ? Buffers::Single : buffers),
       display_(display),
-      visual_(kind == Kind::Pbuffer ? 0 : visual.visualid),
       kind_(kind),
       target_(target) {
     if (kind != Kind::Pbuffer)
@@ -47,15 +46,12 @@ void Surface::wait_until_shown() {
 
 std::optional<Surface::FrameTarget> Surface::frame_target() {
     if (kind_ != Kind::Window || image_->has_lost_display()) return std::nullopt;
-    if (!own_) own_ = std::make_unique<OwnWindow>(display_, visual_, target_);
-    if (!own_->image()) return std::nullopt;
-    own_->image()->set_target_height(image_->target_height());
-    const auto words = own_->image()->words(width(), height(), profile().color_bits);
+    if (!own_) own_ = std::make_unique<OwnConnection>(display_);
+    if (!own_->is_ready()) return std::nullopt;
+    const auto words = image_->shared_words(width(), height(), profile().color_bits);
     if (!words) return std::nullopt;
-    return FrameTarget{*words, {.top_first = true, .blue_first = true}, [image = own_->image()] {
-                           image->put();
-                           image->wait();
-                       }};
+    return FrameTarget{
+        *words, {.top_first = true, .blue_first = true}, [this] { return image_->put(*own_); }};
 }
 
 // The server answers: what the program asked of the window before is done when the frame comes.
@@ -63,8 +59,10 @@ void Surface::swap_buffers() {
     if (!is_double_buffered()) return;
     const std::optional<Geometry> window = window_size();
     if (window) {
+        const LockedDisplay locked(display_);
         const auto lock = exclusive();
         image_->set_target_height(window->height);
+        image_->fit(width(), height());
     }
     swap();
     if (window) take(*window);

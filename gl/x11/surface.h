@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/x11/geometry.h"
-#include "gl/x11/own_window.h"
+#include "gl/x11/own_connection.h"
 #include "gl/x11/shown_image.h"
 
 #include <memory>
@@ -43,11 +43,10 @@ private:
     void take(const Geometry& window);
 
     Display* const display_;
-    const VisualID visual_;
     const Kind kind_;
     const XID target_;
-    std::unique_ptr<ShownImage> image_;  ///< null: there is nowhere to show
-    std::unique_ptr<OwnWindow> own_;     ///< for frames that are shown from another thread
+    std::unique_ptr<ShownImage> image_;   ///< null: there is nowhere to show
+    std::unique_ptr<OwnConnection> own_;  ///< for frames that are shown from another thread
 };
 
 }  // namespace gw::gl::x11

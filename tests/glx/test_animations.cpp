@@ -137,6 +137,51 @@ TEST_F(GlxAnimation, AWindowThatIsDestroyedRaisesNoError) {
     glXDestroyContext(display, context);
 }
 
+TEST_F(GlxAnimation, AGrabOfTheServerHoldsNothingUp) {
+    const GLXContext context = make_current(true);
+    animate(frames);
+    XGrabServer(display);
+    animate(frames + 1);
+    glFinish();
+    EXPECT_TRUE(shown(window, 64, 48).is_all(pixel_of(frames)));
+    clear_for(1);
+    glXSwapBuffers(display, window);  // shown now, or by us once the server answers
+    XUngrabServer(display);
+    glXWaitGL();
+    EXPECT_TRUE(shown(window, 64, 48).is_all(pixel_of(1)));
+    animate(frames);
+    glXWaitGL();
+    EXPECT_TRUE(shown(window, 64, 48).is_all(pixel_of(frames - 1)));
+    glXDestroyContext(display, context);
+}
+
+TEST_F(GlxAnimation, AllMayHappenInAGrab) {
+    XGrabServer(display);
+    for (int round = 0; round < 3; ++round) {
+        const GLXContext context = make_current(true);
+        animate(frames);
+        XResizeWindow(display, window, 70, 50);
+        animate(frames);
+        glXWaitGL();
+        EXPECT_TRUE(shown(window, 70, 50).is_all(pixel_of(frames - 1)));
+        glXMakeCurrent(display, 0, nullptr);
+        glXDestroyContext(display, context);
+        XDestroyWindow(display, window);
+    }
+    XUngrabServer(display);
+}
+
+TEST_F(GlxAnimation, AWindowMayEndInAGrab) {
+    const GLXContext context = make_current(true);
+    animate(frames);
+    XGrabServer(display);
+    animate(1);
+    glXMakeCurrent(display, 0, nullptr);
+    glXDestroyContext(display, context);
+    XDestroyWindow(display, window);
+    XUngrabServer(display);
+}
+
 TEST_F(GlxAnimation, EndsWithItsContextAndWindow) {
     for (int round = 0; round < 5; ++round) {
         const GLXContext context = make_current(true);
