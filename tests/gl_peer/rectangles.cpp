@@ -75,6 +75,12 @@ void leave_stencils(const Gl& gl) {
     gl.PixelTransferi(GL_MAP_STENCIL, 0);
 }
 
+/// Mesa's fragments of depths have no texture.
+void leave_textures(const Gl& gl) {
+    gl.Disable(GL_TEXTURE_1D);
+    gl.Disable(GL_TEXTURE_2D);
+}
+
 /// Bytes that are numbers of 0 .. 1 as floats too.
 std::vector<GLfloat> some_floats(Random& random, std::size_t count) {
     std::vector<GLfloat> out;
@@ -119,6 +125,7 @@ void draw_rectangle(const Gl& gl, Random& random, Results& out) {
         gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     }
     if (format == GL_STENCIL_INDEX) leave_stencils(gl);
+    if (format == GL_DEPTH_COMPONENT) leave_textures(gl);
     const std::vector<GLubyte> memory = some_memory(random, type);
     if (random.chance(25))
         gl.Bitmap(width, height, GLfloat(random.below(4)), 1, 8, 0, memory.data());
