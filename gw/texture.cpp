@@ -122,13 +122,23 @@ void check_levels(const Texture& t) {
     }
 }
 
+template <TextureFormat format>
+void complete(std::vector<std::uint16_t>& rgba) {
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        std::uint16_t* const t = &rgba[i];
+        const Rgba texel = completed(format, {t[0], t[1], t[2], t[3]}, 65535);
+        for (std::size_t c = 0; c < 4; ++c) t[c] = texel[c];
+    }
+}
 /// Gives all texels the channels that the format lacks.
 void complete(TextureFormat format, std::vector<std::uint16_t>& rgba) {
-    if (format == TextureFormat::RGBA) return;
-    for (std::size_t i = 0; i < rgba.size(); i += 4) {
-        const Rgba texel =
-            completed(format, {rgba[i], rgba[i + 1], rgba[i + 2], rgba[i + 3]}, 65535);
-        std::copy(texel.begin(), texel.end(), rgba.begin() + std::ptrdiff_t(i));
+    switch (format) {
+        case TextureFormat::RGBA: return;
+        case TextureFormat::RGB: return complete<TextureFormat::RGB>(rgba);
+        case TextureFormat::LuminanceAlpha: return complete<TextureFormat::LuminanceAlpha>(rgba);
+        case TextureFormat::Luminance: return complete<TextureFormat::Luminance>(rgba);
+        case TextureFormat::Alpha: return complete<TextureFormat::Alpha>(rgba);
+        case TextureFormat::Intensity: return complete<TextureFormat::Intensity>(rgba);
     }
 }
 

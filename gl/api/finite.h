@@ -1,10 +1,10 @@
 // Numbers of programs as numbers that the machine takes.
 #pragma once
 
+#include "gw/base/finite.h"
+
 #include <glm/vec4.hpp>
 
-#include <bit>
-#include <cstdint>
 #include <limits>
 
 namespace gw::gl {
@@ -23,13 +23,8 @@ constexpr T finite(T v) {
     return v != v ? T(0) : clamped(v, -largest, largest);
 }
 
-/// Whether no component is infinite or NaN: those have all bits of the exponent.
-inline bool all_finite(const glm::vec4& v) {
-    std::uint32_t sums = 0;
-    for (glm::length_t i = 0; i < 4; ++i)
-        sums |= (std::bit_cast<std::uint32_t>(v[i]) & 0x7FFFFFFFu) + 0x00800000u;
-    return sums >> 31 == 0;
-}
+/// Whether no component is infinite or NaN.
+inline bool all_finite(const glm::vec4& v) { return gw::all_finite(&v.x, 4); }
 
 /// finite() of each component.
 template <glm::length_t n, class T>

@@ -3,9 +3,9 @@
 #include "gl/api/convert.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
-#include "gl/pixels/byte_formats.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/packed.h"
+#include "gl/pixels/plain_pixels.h"
 
 #include "gw/base/arithmetic.h"
 #include "gw/stages/resolve.h"
@@ -102,6 +102,15 @@ void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
     }
 }
 
+/// Calls `take(colour)` for each pixel, after transfer.
+void for_each_host_color(const Context& c, GLsizei width, GLsizei height, GLenum format,
+                         GLenum type, const HostImage& image, const auto& take) {
+    for_each_pixel(width, height, format, type, image, [&](const std::array<double, 4>& v) {
+        take(format == GL_COLOR_INDEX ? color_of_index(c, transferred_index(c, v[0]))
+                                      : transferred_color(c, color_of(format, v)));
+    });
+}
+
 /// What becomes of each byte of each channel: transfer treats channels one by one.
 template <class T>
 using ByteTables = std::array<std::array<T, 256>, 4>;
@@ -117,14 +126,6 @@ ByteTables<T> byte_tables(const Context& c, Value value) {
 template <class T>
 ByteTables<T> quantized_bytes(const Context& c, int bits) {
     return byte_tables<T>(c, [&](float v) { return T(quantize(double(v), bits)); });
-}
-
-/// What pixel transfer multiplies each byte by if it does no more.
-std::optional<std::uint16_t> factor_of_bytes(const Context& c, int bits) {
-    if (!leaves_colors(c.state.pixel)) return std::nullopt;
-    if (bits == 8) return std::uint16_t{1};
-    if (bits == 16) return std::uint16_t{257};
-    return std::nullopt;
 }
 
 /// Smaller images are transferred without tables.
@@ -171,25 +172,23 @@ std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, G
                               GLenum type, const HostImage& image) {
     std::vector<vec4> out;
     out.reserve(std::size_t(width) * std::size_t(height));
-    for_each_pixel(width, height, format, type, image, [&](const std::array<double, 4>& v) {
-        out.push_back(format == GL_COLOR_INDEX ? color_of_index(c, transferred_index(c, v[0]))
-                                               : transferred_color(c, color_of(format, v)));
-    });
+    for_each_host_color(c, width, height, format, type, image,
+                        [&](const vec4& color) { out.push_back(color); });
     return out;
 }
 
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits, std::vector<Rgba> out) {
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    if (const auto factor = factor_of_bytes(c, bits); factor && type == GL_UNSIGNED_BYTE) {
+    if (leaves_colors(c.state.pixel)) {
         out.resize(pixels);
-        if (scale_bytes(format, image.bytes, *factor, out)) return out;
+        if (plain_colors(format, type, image.bytes, bits, out)) return out;
     }
     out.clear();
     out.reserve(pixels);
     if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || pixels < fewest_pixels) {
-        for (const vec4& color : host_colors(c, width, height, format, type, image))
-            out.push_back(quantize_color(color, bits));
+        for_each_host_color(c, width, height, format, type, image,
+                            [&](const vec4& color) { out.push_back(quantize_color(color, bits)); });
         return out;
     }
     const auto tables = quantized_bytes<std::uint16_t>(c, bits);

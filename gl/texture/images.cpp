@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
 namespace gw::gl {
@@ -66,27 +65,15 @@ constexpr int texel_bits = 16;
 void store_texels(TextureImage& image, const Rect& rect, const std::vector<Rgba>& colors) {
     const Rgba* from = colors.data();
     for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width)
-        std::memcpy(&image.rgba[4 * pixel_index(rect.x, y, image.width)], from,
-                    std::size_t(rect.width) * sizeof(Rgba));
+        std::copy_n(from, rect.width, &image.texels[pixel_index(rect.x, y, image.width)]);
 }
 
-/// An image of these colours. Null: its texels are 0.
-TextureImage image_of(const Request& r, const std::vector<Rgba>* colors) {
-    TextureImage image{r.width, r.height, r.border, r.internal_format, {}};
-    if (colors == nullptr) {
-        image.rgba.resize(4 * std::size_t(r.width) * std::size_t(r.height));
-        return image;
-    }
-    const std::uint16_t* const first = colors->front().data();
-    image.rgba.assign(first, first + 4 * colors->size());
-    return image;
-}
-
-/// Replaces an image. Null colours: its texels are 0.
-void set_image(Context& c, const Place& place, const Request& r, const std::vector<Rgba>* colors) {
+/// Replaces an image.
+void set_image(Context& c, const Place& place, const Request& r, std::vector<Rgba> texels) {
     begin_change(c);
-    TextureImage image = r.width == 0 || r.height == 0 ? TextureImage{} : image_of(r, colors);
-    image.internal_format = r.internal_format;
+    TextureImage image{.internal_format = r.internal_format};
+    if (r.width != 0 && r.height != 0)
+        image = {r.width, r.height, r.border, r.internal_format, std::move(texels)};
     const auto lock = c.shared->exclusive();
     TextureObject& object = *c.textures.bound[place.index];
     object.levels[std::size_t(r.level)] = std::move(image);
@@ -110,9 +97,10 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    if (!host.is_given()) return set_image(c, *place, r, nullptr);
-    const auto colors = host_rgba(c, r.width, r.height, format, type, host, texel_bits);
-    set_image(c, *place, r, &colors);
+    if (!host.is_given())
+        return set_image(c, *place, r,
+                         std::vector<Rgba>(std::size_t(r.width) * std::size_t(r.height)));
+    set_image(c, *place, r, host_rgba(c, r.width, r.height, format, type, host, texel_bits));
 }
 
 /// The image whose part a call replaces; null, and the error is set: there is none, or the part is
@@ -167,8 +155,7 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     const GLenum error = request_error(r, *index);
     if (error != GL_NO_ERROR) return set_error(c, error);
     if (c.read_drawable == nullptr) return;
-    const auto colors = copied_colors(c, {x, y, r.width, r.height});
-    set_image(c, {*index, false}, r, &colors);
+    set_image(c, {*index, false}, r, copied_colors(c, {x, y, r.width, r.height}));
 }
 
 void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {

@@ -50,10 +50,9 @@ TextureRef plain_texture(const TextureImage& image) {
     std::vector<std::uint16_t> rgba;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const std::uint16_t* t =
-                &image.rgba[4 * pixel_index(x + border, y + bottom, image.width)];
             const Rgba texel =
-                completed(machine_format(image.internal_format), {t[0], t[1], t[2], t[3]}, 0xFFFF);
+                completed(machine_format(image.internal_format),
+                          image.texels[pixel_index(x + border, y + bottom, image.width)], 0xFFFF);
             rgba.insert(rgba.end(), texel.begin(), texel.end());
         }
     return make_texture("", width, height, rgba);
@@ -77,7 +76,10 @@ void make(TextureObject& object, std::size_t target, const Profile& profile) {
     for (int level = 0; level < std::max(1, count); ++level) {
         const TextureImage& image = object.levels[std::size_t(level)];
         const int rows = target == 0 ? 1 : image.height - 2 * image.border;
-        texture.levels.push_back({image.width - 2 * image.border, rows, image.rgba});
+        const std::uint16_t* const first_value = image.texels.front().data();
+        texture.levels.push_back({image.width - 2 * image.border,
+                                  rows,
+                                  {first_value, first_value + 4 * image.texels.size()}});
     }
     object.made = make_texture(std::move(texture));
 }

@@ -20,8 +20,8 @@ inline constexpr int level_count = 13;
 struct TextureImage {
     int width = 0, height = 0;  ///< with the border; 0: no image
     int border = 0;
-    GLint internal_format = 1;        ///< as it was given
-    std::vector<std::uint16_t> rgba;  ///< 0 .. 65535 is 0 .. 1, bottom row first
+    GLint internal_format = 1;  ///< as it was given
+    std::vector<Rgba> texels;   ///< 0 .. 65535 is 0 .. 1, bottom row first
 };
 
 struct TextureObject {

@@ -20,8 +20,8 @@ std::vector<Rgba> rounded(const std::vector<std::uint16_t>& rgba, int bits, int 
         for (std::size_t i = 0; i < 4 * out.size(); ++i)
             to[i] = static_cast<std::uint16_t>(round(from[i]));
     };
-    if (bits == 8 && texel_bits == 8)  // rescale(v, 16, 8): 65535 / 255 = 257
-        round_all([](std::uint32_t v) { return (v + 128) / 257; });
+    if (bits == 8 && texel_bits == 8)  // rescale(v, 16, 8) = (v + 128) / 257
+        round_all([](std::uint32_t v) { return (v + 128 - ((v + 128) >> 8)) >> 8; });
     else
         round_all(
             [&](std::uint32_t v) { return rescale(rescale(v, 16, texel_bits), texel_bits, bits); });

@@ -1,7 +1,6 @@
 #include "gw/fast/plan/texels.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace gw::fast {
@@ -48,13 +47,22 @@ void add_pairs(const TexelLevel& level, const std::uint32_t* texels, const Addre
 
 FastTexels make_fast_texels(Texels texels) {
     FastTexels f;
+    std::size_t count = 0;
+    for (const TexelLevel& level : texels.levels) count += level.texels.size();
+    if (texels.bits == 8)
+        f.packed.resize(count);
+    else
+        f.wide.reserve(count);
+    std::size_t at = 0;
     for (std::size_t i = 0; i < texels.levels.size(); ++i) {
-        f.first[i] = std::int32_t(std::max(f.packed.size(), f.wide.size()));
         const std::vector<Rgba>& level = texels.levels[i].texels;
+        f.first[i] = std::int32_t(at);
         if (texels.bits == 8)
-            std::transform(level.begin(), level.end(), std::back_inserter(f.packed), packed);
+            std::transform(level.begin(), level.end(), f.packed.begin() + std::ptrdiff_t(at),
+                           packed);
         else
             f.wide.insert(f.wide.end(), level.begin(), level.end());
+        at += level.size();
     }
     f.texels = std::move(texels);
     return f;

@@ -1,4 +1,4 @@
-// Usual formats of a byte a component, without transfer: to colours, and from words of R, G, B, A.
+// Pixels of the usual formats and types, without transfer: to colours, and from words of R, G, B, A.
 #pragma once
 
 #include "gl/api/values.h"
@@ -11,10 +11,9 @@
 
 namespace gw::gl {
 
-/// The bytes of as many pixels as `out` has, each times `factor`. False: the format is none of
-/// these.
-bool scale_bytes(GLenum format, std::span<const std::byte> bytes, std::uint16_t factor,
-                 std::vector<Rgba>& out);
+/// The colours of as many pixels as `out` has. False: the format or type is none of these.
+bool plain_colors(GLenum format, GLenum type, std::span<const std::byte> bytes, int bits,
+                  std::vector<Rgba>& out);
 /// The bytes of words, R in the lowest byte, in a format. `out` of GL_BGRA may be the words' memory.
 /// False: the format is none of these.
 bool pack_words(std::span<const std::uint32_t> words, GLenum format, std::byte* out);
