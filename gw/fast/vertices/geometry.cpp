@@ -316,64 +316,6 @@ PartCounts difference(const Counters& after, const Counters& before) {
             of(&Counters::drawn)};
 }
 
-/// Calls visit(vertex of the mesh, shows the front) for each vertex that a part's primitives use,
-/// once or more.
-template <class Visit>
-void for_each_used(const GeometrySet& set, std::size_t ordinal, const Visit& visit) {
-    const GeometryPart& part = set.parts[ordinal];
-    const std::uint32_t vertices = part.mesh->vertex_count();
-    const std::size_t end = set.end_of(ordinal, &GeometryPart::primitive, set.primitives.size());
-    for (std::size_t i = part.primitive; i < end; ++i) {
-        const SetupPrimitive& p = set.primitives[i];
-        for (const std::uint32_t at : {p.vertex[0], p.vertex[1], p.vertex[2], p.provoking}) {
-            const std::uint32_t v = at - part.vertex;
-            if (v < vertices) visit(v, p.front != 0);
-        }
-    }
-}
-
-/// Appends the places of the bits that are set.
-void append_bits(std::vector<std::uint32_t>& list, std::uint64_t bits) {
-    std::size_t i = list.size();
-    list.resize(i + std::size_t(std::popcount(bits)));
-    for (; bits != 0; bits &= bits - 1) list[i++] = std::uint32_t(std::countr_zero(bits));
-}
-
-/// Of a mesh of at most 64 vertices.
-void list_few_used(GeometrySet& set, std::size_t ordinal) {
-    std::uint64_t front = 0, back = 0;
-    for_each_used(set, ordinal, [&](std::uint32_t v, bool shows_front) {
-        (shows_front ? front : back) |= std::uint64_t{1} << v;
-    });
-    append_bits(set.used, front | back);
-    append_bits(set.used_front, front);
-    append_bits(set.used_back, back);
-}
-
-void list_many_used(GeometrySet& set, std::size_t ordinal, std::vector<std::uint8_t>& sides) {
-    sides.assign(set.parts[ordinal].mesh->vertex_count(), 0);
-    for_each_used(set, ordinal, [&](std::uint32_t v, bool shows_front) {
-        sides[v] = std::uint8_t(sides[v] | (shows_front ? 1 : 2));
-    });
-    for (std::uint32_t v = 0; v < sides.size(); ++v) {
-        if (sides[v] != 0) set.used.push_back(v);
-        if (sides[v] & 1) set.used_front.push_back(v);
-        if (sides[v] & 2) set.used_back.push_back(v);
-    }
-}
-
-/// Lists the mesh vertices that a part's primitives use, by the side that they show.
-void list_used_vertices(GeometrySet& set, std::size_t ordinal, std::vector<std::uint8_t>& sides) {
-    GeometryPart& part = set.parts[ordinal];
-    part.used = std::uint32_t(set.used.size());
-    part.used_front = std::uint32_t(set.used_front.size());
-    part.used_back = std::uint32_t(set.used_back.size());
-    if (part.mesh->vertex_count() <= 64)
-        list_few_used(set, ordinal);
-    else
-        list_many_used(set, ordinal, sides);
-}
-
 void build(GeometrySet& set, const Profile& profile, GeometryScratch& scratch) {
     const Projection projection{
         dmat4(1), dmat4(1), set.viewport, set.state.depth_range, set.state.clip_planes, profile};
@@ -399,7 +341,7 @@ void make_geometry(GeometrySet& set, const Profile& profile, GeometryScratch& sc
     set.made = true;
     if (!set.lists_used || set.lists_made) return;
     set.lists_made = true;
-    for (std::size_t i = 0; i < set.parts.size(); ++i) list_used_vertices(set, i, scratch.sides);
+    list_used_vertices(set, scratch);
 }
 
 }  // namespace gw::fast

@@ -177,6 +177,9 @@ struct PartGroup {
 /// already made, makes only its missing lists.
 void make_geometry(GeometrySet& set, const Profile& profile, GeometryScratch& scratch);
 
+/// Makes the lists of used vertices of a set that is made but for them. make_geometry() calls it.
+void list_used_vertices(GeometrySet& set, GeometryScratch& scratch);
+
 /// Sorts the primitives into tiles, in order, unless the bins cover this jitter. Call when the
 /// range of the jitter is known.
 void make_bins(GeometrySet& set, const Profile& profile, const TileGrid& grid,
