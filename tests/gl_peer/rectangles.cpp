@@ -68,17 +68,30 @@ void set_raster_position(const Gl& gl, Random& random, Results&) {
     gl.RasterPos3f(x, y, GLfloat(random.real(-1, 1)));
 }
 
-/// Mesa draws and copies stencils without transfer.
-void leave_stencils(const Gl& gl) {
+/// Mesa draws and copies indices without transfer.
+void leave_indices(const Gl& gl) {
     gl.PixelTransferi(GL_INDEX_SHIFT, 0);
     gl.PixelTransferi(GL_INDEX_OFFSET, 0);
     gl.PixelTransferi(GL_MAP_STENCIL, 0);
+}
+
+/// Mesa takes colour indices in rows without padding, and reads behind them if they have a length.
+void leave_storage(const Gl& gl) {
+    for (const GLenum name : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS})
+        gl.PixelStorei(name, 0);
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
 /// Mesa's fragments of depths have no texture.
 void leave_textures(const Gl& gl) {
     gl.Disable(GL_TEXTURE_1D);
     gl.Disable(GL_TEXTURE_2D);
+}
+
+/// Mesa generates coordinates at a bitmap's corners, instead of at the raster position.
+void leave_generation(const Gl& gl) {
+    gl.Disable(GL_TEXTURE_GEN_S);
+    gl.Disable(GL_TEXTURE_GEN_T);
 }
 
 /// Bytes that are numbers of 0 .. 1 as floats too.
@@ -120,17 +133,17 @@ void draw_rectangle(const Gl& gl, Random& random, Results& out) {
                           : what == 8 ? GL_STENCIL_INDEX
                                       : GL_COLOR_INDEX;
     if (format == GL_STENCIL_INDEX || format == GL_COLOR_INDEX) type = GL_UNSIGNED_BYTE;
-    if (format == GL_COLOR_INDEX) {  // Mesa takes rows without padding
-        gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-        gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    }
-    if (format == GL_STENCIL_INDEX) leave_stencils(gl);
+    if (format == GL_COLOR_INDEX) leave_storage(gl);
+    if (format == GL_COLOR_INDEX || format == GL_STENCIL_INDEX) leave_indices(gl);
     if (format == GL_DEPTH_COMPONENT) leave_textures(gl);
     const std::vector<GLubyte> memory = some_memory(random, type);
-    if (random.chance(25))
+    use_one_texture(gl);
+    if (random.chance(25)) {
+        leave_generation(gl);
         gl.Bitmap(width, height, GLfloat(random.below(4)), 1, 8, 0, memory.data());
-    else
+    } else {
         gl.DrawPixels(width, height, format, type, memory.data());
+    }
     look(gl, out);
 }
 
@@ -139,7 +152,7 @@ void draw_copy(const Gl& gl, Random& random, Results& out) {
     const int x = random.below(window_width - 16), y = random.below(window_height - 16);
     const int width = random.between(0, 16), height = random.between(0, 16);
     const GLenum type = random.pick<GLenum>({GL_COLOR, GL_COLOR, GL_DEPTH, GL_STENCIL});
-    if (type == GL_STENCIL) leave_stencils(gl);
+    if (type == GL_STENCIL) leave_indices(gl);
     gl.CopyPixels(x, y, width, height, type);
     look(gl, out);
 }

@@ -193,6 +193,15 @@ void draw_shapes(const Gl& gl, Random& random, Results& out, bool may_be_uneven)
     look(gl, out);
 }
 
+/// Not 0: Mesa's highlights are too dark then, if the light is attenuated.
+void shine(const Gl& gl) {
+    for (const GLenum face : {GL_FRONT, GL_BACK}) {
+        GLfloat shininess = 0;
+        gl.GetMaterialfv(face, GL_SHININESS, &shininess);
+        if (shininess == 0) gl.Materialf(face, GL_SHININESS, 1);
+    }
+}
+
 struct Control {
     std::array<GLfloat, 4 * 4 * 4> values{};
 };
@@ -248,16 +257,14 @@ void draw_inner_shape(const Gl& gl, Random& random, Results& out) {
     gl.PopMatrix();
 }
 
-/// Mesa draws with the texture of one dimension if that of two, which comes first, has no image.
 void draw_textured_shape(const Gl& gl, Random& random, Results& out) {
-    GLint width = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
-    if (width == 0 && gl.IsEnabled(GL_TEXTURE_2D)) gl.Disable(GL_TEXTURE_1D);
+    use_one_texture(gl);
     draw_shape(gl, random, out);
 }
 
 void draw_lit_shape(const Gl& gl, Random& random, Results& out) {
     gl.Enable(GL_LIGHTING);
+    shine(gl);
     gl.Enable(GL_NORMALIZE);  // highlights of longer normals end at 1 here
     draw_shapes(gl, random, out, true);
     // OpenGL leaves colours, and so materials, open after DrawArrays. Mesa's materials follow when asked.

@@ -40,6 +40,8 @@ void read_rectangle(const Gl& gl, Random& random, Results& out);
 void read_texture(const Gl& gl, Random& random, Results& out);
 void ask(const Gl& gl, Random& random, Results& out);
 
+/// Mesa draws with the texture of one dimension if that of two, which comes first, has no image.
+void use_one_texture(const Gl& gl);
 /// Adds the planes of the window, and the error.
 void look(const Gl& gl, Results& out);
 /// A colour of whole 255ths.

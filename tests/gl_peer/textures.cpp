@@ -118,6 +118,12 @@ std::span<const StepKind> texture_steps() {
     return kinds;
 }
 
+void use_one_texture(const Gl& gl) {
+    GLint width = 0;
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &width);
+    if (width == 0 && gl.IsEnabled(GL_TEXTURE_2D)) gl.Disable(GL_TEXTURE_1D);
+}
+
 /// Draws, then makes a texture or a part of one of the window.
 void copy_to_texture(const Gl& gl, Random& random, Results& out) {
     const int x = random.below(16), y = random.below(16);
