@@ -88,10 +88,20 @@ void leave_textures(const Gl& gl) {
     gl.Disable(GL_TEXTURE_2D);
 }
 
-/// Mesa generates coordinates at a bitmap's corners, instead of at the raster position.
-void leave_generation(const Gl& gl) {
+/// Mesa generates and transforms the coordinates of rectangles, as if the raster position had not.
+void leave_coordinates(const Gl& gl) {
     gl.Disable(GL_TEXTURE_GEN_S);
     gl.Disable(GL_TEXTURE_GEN_T);
+    gl.MatrixMode(GL_TEXTURE);
+    gl.LoadIdentity();
+    gl.MatrixMode(GL_MODELVIEW);
+}
+
+/// Mesa's texture environment takes negative colours.
+GLenum clamped(const Gl& gl, GLenum type) {
+    const bool is_signed = type == GL_BYTE || type == GL_SHORT || type == GL_INT;
+    const bool has_texture = gl.IsEnabled(GL_TEXTURE_1D) || gl.IsEnabled(GL_TEXTURE_2D);
+    return is_signed && has_texture ? GL_UNSIGNED_BYTE : type;
 }
 
 /// Bytes that are numbers of 0 .. 1 as floats too.
@@ -138,12 +148,12 @@ void draw_rectangle(const Gl& gl, Random& random, Results& out) {
     if (format == GL_DEPTH_COMPONENT) leave_textures(gl);
     const std::vector<GLubyte> memory = some_memory(random, type);
     use_one_texture(gl);
-    if (random.chance(25)) {
-        leave_generation(gl);
+    leave_coordinates(gl);
+    type = clamped(gl, type);
+    if (random.chance(25))
         gl.Bitmap(width, height, GLfloat(random.below(4)), 1, 8, 0, memory.data());
-    } else {
+    else
         gl.DrawPixels(width, height, format, type, memory.data());
-    }
     look(gl, out);
 }
 
