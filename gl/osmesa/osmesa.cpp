@@ -16,9 +16,11 @@
 #include <atomic>
 #include <bit>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace {
 
@@ -169,11 +171,44 @@ OSMesaContext make_context(GLenum format, OSMesaContext sharelist) {
     });
 }
 
-/// The value of an attribute in a list that ends with 0; `other` if it is not there.
-int attribute(const int* list, int name, int other) {
-    for (; list != nullptr && list[0] != 0; list += 2)
-        if (list[0] == name) return list[1];
-    return other;
+bool fits(int depth_bits, int stencil_bits, int accum_bits) {
+    const auto is_in = [](int bits, int most) { return bits >= 0 && bits <= most; };
+    return is_in(depth_bits, 32) && is_in(stencil_bits, 8) && is_in(accum_bits, 32);
+}
+
+/// The attributes of a list that ends with 0, by name; those that are not there have their defaults.
+/// None: it names others.
+std::optional<std::map<int, int>> attributes_of(const int* list) {
+    std::map<int, int> out{{OSMESA_FORMAT, OSMESA_RGBA},
+                           {OSMESA_DEPTH_BITS, 0},
+                           {OSMESA_STENCIL_BITS, 0},
+                           {OSMESA_ACCUM_BITS, 0},
+                           {OSMESA_PROFILE, OSMESA_COMPAT_PROFILE},
+                           {OSMESA_CONTEXT_MAJOR_VERSION, 1},
+                           {OSMESA_CONTEXT_MINOR_VERSION, 0}};
+    for (; list != nullptr && list[0] != 0; list += 2) {
+        const auto at = out.find(list[0]);
+        if (at == out.end()) return std::nullopt;
+        at->second = list[1];
+    }
+    return out;
+}
+
+/// OSMesa's functions by name.
+OSMESAproc own_function(std::string_view name) {
+    static const std::map<std::string_view, OSMESAproc> all{
+#define GW_FUNCTION(name) {#name, reinterpret_cast<OSMESAproc>(&name)}
+        GW_FUNCTION(OSMesaCreateContext),  GW_FUNCTION(OSMesaCreateContextExt),
+        GW_FUNCTION(OSMesaDestroyContext), GW_FUNCTION(OSMesaCreateContextAttribs),
+        GW_FUNCTION(OSMesaMakeCurrent),    GW_FUNCTION(OSMesaGetCurrentContext),
+        GW_FUNCTION(OSMesaPixelStore),     GW_FUNCTION(OSMesaGetIntegerv),
+        GW_FUNCTION(OSMesaGetDepthBuffer), GW_FUNCTION(OSMesaGetColorBuffer),
+        GW_FUNCTION(OSMesaGetProcAddress), GW_FUNCTION(OSMesaColorClamp),
+        GW_FUNCTION(OSMesaPostprocess),
+#undef GW_FUNCTION
+    };
+    const auto found = all.find(name);
+    return found == all.end() ? nullptr : found->second;
 }
 
 }  // namespace
@@ -187,17 +222,19 @@ OSMesaContext GLAPIENTRY OSMesaCreateContext(GLenum format, OSMesaContext sharel
 
 OSMesaContext GLAPIENTRY OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits,
                                                 GLint accum_bits, OSMesaContext sharelist) {
-    const bool fits = depth_bits <= 32 && stencil_bits <= 8 && accum_bits <= 32;
-    return fits ? make_context(format, sharelist) : nullptr;
+    if (!fits(depth_bits, stencil_bits, accum_bits)) return nullptr;
+    return make_context(format, sharelist);
 }
 
 OSMesaContext GLAPIENTRY OSMesaCreateContextAttribs(const int* attributes,
                                                     OSMesaContext sharelist) {
-    const int major = attribute(attributes, OSMESA_CONTEXT_MAJOR_VERSION, 1);
-    const int minor = attribute(attributes, OSMESA_CONTEXT_MINOR_VERSION, 0);
-    const int profile = attribute(attributes, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE);
-    if (major > 1 || minor > 1 || profile != OSMESA_COMPAT_PROFILE) return nullptr;
-    return make_context(GLenum(attribute(attributes, OSMESA_FORMAT, OSMESA_RGBA)), sharelist);
+    auto given = attributes_of(attributes);
+    if (!given) return nullptr;
+    auto& of = *given;
+    const int major = of[OSMESA_CONTEXT_MAJOR_VERSION], minor = of[OSMESA_CONTEXT_MINOR_VERSION];
+    if (major > 1 || minor > 1 || of[OSMESA_PROFILE] != OSMESA_COMPAT_PROFILE) return nullptr;
+    return OSMesaCreateContextExt(GLenum(of[OSMESA_FORMAT]), of[OSMESA_DEPTH_BITS],
+                                  of[OSMESA_STENCIL_BITS], of[OSMESA_ACCUM_BITS], sharelist);
 }
 
 void GLAPIENTRY OSMesaDestroyContext(OSMesaContext context) {
@@ -285,7 +322,11 @@ GLboolean GLAPIENTRY OSMesaGetColorBuffer(OSMesaContext context, GLint* width, G
     return GL_TRUE;
 }
 
-OSMESAproc GLAPIENTRY OSMesaGetProcAddress(const char* name) { return find_entry_point(name); }
+OSMESAproc GLAPIENTRY OSMesaGetProcAddress(const char* name) {
+    if (name == nullptr) return nullptr;
+    const OSMESAproc own = own_function(name);
+    return own != nullptr ? own : find_entry_point(name);
+}
 
 /// Colours of the machine are 0 .. 1 always.
 void GLAPIENTRY OSMesaColorClamp(GLboolean) {}

@@ -64,8 +64,12 @@ TEST(OSMesa, ExportsItsFunctionsAndGLs) {
           "OSMesaDestroyContext", "OSMesaMakeCurrent", "OSMesaGetCurrentContext",
           "OSMesaPixelStore", "OSMesaGetIntegerv", "OSMesaGetDepthBuffer", "OSMesaGetColorBuffer",
           "OSMesaGetProcAddress", "OSMesaColorClamp", "OSMesaPostprocess", "glBegin", "glVertex3f",
-          "glTexImage3D"})
+          "glTexImage3D"}) {
         EXPECT_NE(dlsym(library(), name), nullptr) << name;
+        EXPECT_EQ(reinterpret_cast<void*>(Functions().address(name)), dlsym(library(), name))
+            << name;
+    }
+    EXPECT_EQ(Functions().address("OSMesaNothing"), nullptr);
 }
 
 /// A format, a type, and the bytes of the colour that draw() clears to.
@@ -139,6 +143,26 @@ TEST(OSMesa, GivesTheDepthBuffer) {
     EXPECT_EQ((std::array{width, height, bytes}), (std::array{4, 3, 4}));
     EXPECT_EQ(static_cast<const unsigned*>(buffer)[11], 0xFFFFFFu);
     f.destroy(context);
+}
+
+TEST(OSMesa, TakesAttributesThatItKnows) {
+    const auto create =
+        function<decltype(OSMesaCreateContextAttribs)>("OSMesaCreateContextAttribs");
+    const auto is_made = [&](std::vector<int> attributes) {
+        attributes.push_back(0);
+        const auto context = create(attributes.data(), nullptr);
+        Functions().destroy(context);
+        return context != nullptr;
+    };
+    EXPECT_TRUE(is_made({}));
+    EXPECT_TRUE(is_made({OSMESA_FORMAT, OSMESA_BGRA, OSMESA_DEPTH_BITS, 24, OSMESA_STENCIL_BITS, 8,
+                         OSMESA_ACCUM_BITS, 16, OSMESA_PROFILE, OSMESA_COMPAT_PROFILE,
+                         OSMESA_CONTEXT_MAJOR_VERSION, 1, OSMESA_CONTEXT_MINOR_VERSION, 1}));
+    EXPECT_FALSE(is_made({0x4444, 1}));
+    EXPECT_FALSE(is_made({OSMESA_DEPTH_BITS, -1}));
+    EXPECT_FALSE(is_made({OSMESA_FORMAT, 77}));
+    EXPECT_FALSE(is_made({OSMESA_PROFILE, OSMESA_CORE_PROFILE}));
+    EXPECT_FALSE(is_made({OSMESA_CONTEXT_MAJOR_VERSION, 3}));
 }
 
 TEST(OSMesa, RefusesWhatItDoesNotHave) {
