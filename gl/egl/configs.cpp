@@ -56,6 +56,11 @@ constexpr Criterion criteria[] = {
 constexpr std::size_t criterion_count = std::size(criteria);
 using Request = std::array<EGLint, criterion_count>;
 
+/// The bits that EGL and its extensions define.
+constexpr EGLint api_bits =
+    EGL_OPENGL_ES_BIT | EGL_OPENVG_BIT | EGL_OPENGL_ES2_BIT | EGL_OPENGL_BIT | EGL_OPENGL_ES3_BIT;
+constexpr EGLint surface_bits = 0x1FFF;
+
 /// Whether a value may be requested. Negative sizes may not.
 bool is_value_of(const Criterion& criterion, EGLint value) {
     if (value == EGL_DONT_CARE) return criterion.name != EGL_LEVEL;
@@ -68,6 +73,9 @@ bool is_value_of(const Criterion& criterion, EGLint value) {
             return value == EGL_NONE || value == EGL_SLOW_CONFIG ||
                    value == EGL_NON_CONFORMANT_CONFIG;
         case EGL_TRANSPARENT_TYPE: return value == EGL_NONE || value == EGL_TRANSPARENT_RGB;
+        case EGL_CONFORMANT:
+        case EGL_RENDERABLE_TYPE: return (value & ~api_bits) == 0;
+        case EGL_SURFACE_TYPE: return (value & ~surface_bits) == 0;
     }
     return criterion.match != Match::AtLeast || value >= 0;
 }

@@ -185,6 +185,8 @@ TEST_F(EglChoice, RefusesUnknownNamesAndValues) {
                                                 {EGL_RED_SIZE, -2},
                                                 {EGL_LEVEL, EGL_DONT_CARE},
                                                 {EGL_CONFIG_CAVEAT, 7},
+                                                {EGL_SURFACE_TYPE, 0x40000000},
+                                                {EGL_RENDERABLE_TYPE, 0x100},
                                                 {EGL_BIND_TO_TEXTURE_RGB, 2}}) {
         EXPECT_EQ(count_of({name, value}), -1) << name;
         EXPECT_EQ(eglGetError(), EGL_BAD_ATTRIBUTE) << name;
