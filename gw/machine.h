@@ -29,10 +29,18 @@ struct Readback {
     bool operator==(const Readback&) const = default;
 };
 
+/// What memory has from the Reads of the whole window before, as the machine notes it. Whoever changes
+/// the memory or its layout clears it.
+struct KnownPixels {
+    std::vector<std::uint64_t> colors;  ///< by part of the window
+};
+
 /// How read_into() orders packed colours. The bits are those of the planes.
 struct ReadLayout {
     bool top_first = false;   ///< the top row first
     bool blue_first = false;  ///< bytes B, G, R and 0 from the lowest, not R, G, B, A
+    /// If not null, parts that the memory has already need not be written again.
+    KnownPixels* known = nullptr;
     bool operator==(const ReadLayout&) const = default;
 };
 

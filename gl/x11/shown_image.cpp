@@ -86,6 +86,7 @@ struct ShownImage::Memory {
     XImage* image = nullptr;
     bool is_shared = false;
     XShmSegmentInfo segment{};
+    gw::KnownPixels known;
 
 private:
     bool share(Display* display, const XVisualInfo& visual, int width, int height);
@@ -166,11 +167,15 @@ const PixelFormat& ShownImage::format(int color_bits) {
     return *format_;
 }
 
-std::optional<std::span<std::uint32_t>> ShownImage::shared_words(int width, int height,
-                                                                 int color_bits) {
+std::optional<ShownImage::Words> ShownImage::words(int color_bits) {
+    const auto words = words_of(*memory_->image);
+    if (!words || !format(color_bits).is_bgr()) return std::nullopt;
+    return Words{*words, {.top_first = true, .blue_first = true, .known = &memory_->known}};
+}
+
+std::optional<ShownImage::Words> ShownImage::shared_words(int width, int height, int color_bits) {
     if (!has_size(width, height) || !memory_->is_shared) return std::nullopt;
-    if (!format(color_bits).is_bgr()) return std::nullopt;
-    return words_of(*memory_->image);
+    return words(color_bits);
 }
 
 void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
@@ -185,9 +190,8 @@ void ShownImage::fill(gl::Drawable& drawable, gw::ReadBuffer buffer) {
             return format.pixel(c[0], c[1], c[2], c[3]);
         });
     }
-    if (const auto words = words_of(image); words && format.is_bgr())
-        return drawable.read_packed(buffer, all, Cause::Shown, *words,
-                                    {.top_first = true, .blue_first = true});
+    if (const auto words = this->words(color_bits))
+        return drawable.read_packed(buffer, all, Cause::Shown, words->pixels, words->layout);
     packed_.resize(all.area());
     drawable.read_packed(buffer, all, Cause::Shown, packed_);
     store_rows(image, [&](std::size_t i) {

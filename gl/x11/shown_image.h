@@ -48,9 +48,13 @@ public:
     void show(gl::Drawable& drawable, gw::ReadBuffer buffer = gw::ReadBuffer::Front);
     /// Makes the image so large. Precondition: nobody is filling it.
     void fit(int width, int height);
-    /// The words of an image of this size, the top row first, of bytes B, G, R and 0: to be filled,
-    /// and put(). None: the image or the server's pixels differ, or its memory is not shared.
-    std::optional<std::span<std::uint32_t>> shared_words(int width, int height, int color_bits);
+    /// An image's words, to be filled in this layout, and put().
+    struct Words {
+        std::span<std::uint32_t> pixels;
+        gw::ReadLayout layout;
+    };
+    /// None: the image has another size, its memory is not shared, or the server's pixels differ.
+    std::optional<Words> shared_words(int width, int height, int color_bits);
     /// Returns whether it is shown. Uses nothing of the program's connection.
     bool put(OwnConnection& own) const;
     /// Waits until the server has read what show() put.
@@ -60,6 +64,8 @@ private:
     struct Memory;
     bool has_size(int width, int height) const;
     void put();
+    /// None: the server's pixels differ.
+    std::optional<Words> words(int color_bits);
     const PixelFormat& format(int color_bits);
     void fill(gl::Drawable& drawable, gw::ReadBuffer buffer);
 

@@ -50,8 +50,7 @@ std::optional<Surface::FrameTarget> Surface::frame_target() {
     if (!own_->is_ready()) return std::nullopt;
     const auto words = image_->shared_words(width(), height(), profile().color_bits);
     if (!words) return std::nullopt;
-    return FrameTarget{
-        *words, {.top_first = true, .blue_first = true}, [this] { return image_->put(*own_); }};
+    return FrameTarget{words->pixels, words->layout, [this] { return image_->put(*own_); }};
 }
 
 // The server answers: what the program asked of the window before is done when the frame comes.

@@ -34,8 +34,12 @@ void check_target(const Checker& c, const Read& read, const ListContext& context
     c.require(words, "plane of read_into", name_of(read.plane), "depth, stencil or packed color");
     const std::size_t given = target->second.values.size();
     c.require(given == read.rect.area(), "values of read_into", given, "width times height");
-    c.require(read.packed || target->second.layout == ReadLayout{}, "layout of read_into",
-              name_of(read.plane), "packed color");
+    const ReadLayout& layout = target->second.layout;
+    c.require(read.packed || layout == ReadLayout{}, "layout of read_into", name_of(read.plane),
+              "packed color");
+    const bool whole = read.rect == Rect{0, 0, c.width, c.height};
+    c.require(whole || layout.known == nullptr, "known pixels of read_into", given,
+              "those of the whole window");
 }
 
 void check_in_context(const Checker&, const auto&, const ListContext&) {}

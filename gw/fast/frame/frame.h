@@ -13,6 +13,7 @@
 namespace gw::fast {
 
 inline constexpr int block_side = 4, block_pixels = 16;
+inline constexpr int group_side = group_blocks * block_side;
 inline constexpr std::size_t max_tile_blocks = 256;  ///< of a tile of 64 x 64 pixels, the largest
 
 /// Pixels of one block: the colours by channel, everything else by pixel.

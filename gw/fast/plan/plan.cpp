@@ -23,6 +23,14 @@ void add_material(Hash& hash, const Material& m) {
     hash.add_all(values.data(), values.size());
 }
 
+/// The groups of blocks of a window.
+std::size_t group_count(const Rect& window) {
+    const auto groups = [](int pixels) {
+        return std::size_t(pixels + group_side - 1) / std::size_t(group_side);
+    };
+    return groups(window.width) * groups(window.height);
+}
+
 /// The values of one kind that a segment's draws share.
 template <class T>
 struct SharedValues {
@@ -192,10 +200,11 @@ struct Planner {
         segment.ops.push_back({target_of(read), step.pass});
     }
     ReadOp target_of(const Read& read) {
-        if (const auto target = machine.targets.find(read.key); target != machine.targets.end())
-            return {.read = &read,
-                    .values = target->second.values.data(),
-                    .layout = target->second.layout};
+        if (const auto target = machine.targets.find(read.key); target != machine.targets.end()) {
+            const ReadLayout& layout = target->second.layout;
+            if (layout.known) layout.known->colors.resize(group_count(read.rect), several_colors);
+            return {.read = &read, .values = target->second.values.data(), .layout = layout};
+        }
         Readback& out = machine.readbacks[read.key];
         out.plane = read.plane;
         out.rect = read.rect;

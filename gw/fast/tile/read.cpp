@@ -183,15 +183,41 @@ HWY_NOINLINE void read_cut_blocks(const Target<Pixel>& target, int x, int by) {
                     target.row(y) + (x0 - box.x0));
 }
 
+/// The one colour of a group, or several_colors.
+HWY_INLINE std::uint64_t color_of(const UniformGroup& group) {
+    if (group.one_color != all_lanes) return several_colors;
+    std::uint64_t other = 0;
+    for (const std::uint64_t color : group.color) other |= color ^ group.color[0];
+    return other == 0 ? group.color[0] : several_colors;
+}
+
+/// Notes the colours of a row of groups. The groups whose one colour is there already, a bit each.
+std::uint32_t known_groups(const ReadColors& read, int by) {
+    if (read.layout.known == nullptr) return 0;
+    const int columns = (read.rect.width + group_side - 1) / group_side;
+    std::uint64_t* const noted = &read.layout.known->colors[pixel_index(
+        read.tile.x / group_side, (read.tile.y + by * block_side) / group_side, columns)];
+    std::uint32_t known = 0;
+    for (int i = 0; i * group_side < read.box.x1; ++i) {
+        const std::uint64_t color = color_of(read.tile.group(i * group_blocks, by));
+        if (color != several_colors && color == noted[i]) known |= 1u << i;
+        noted[i] = color;
+    }
+    return known;
+}
+
 template <class Pixel>
 HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
-    constexpr int width = group_blocks * block_side;
+    constexpr int width = group_side;
     const BlockBox& box = read.box;
     const Target<Pixel> target(read, out);
+    std::uint32_t known = 0;
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
         const int bottom = by * block_side, end = bottom + block_side;
+        if (by % group_blocks == 0) known = known_groups(read, by);
         target.prefetch(end, end + block_side);
         for (int left = box.x0 / width * width; left < box.x1; left += width) {
+            if (known >> left / width & 1) continue;
             const bool cut =
                 left < box.x0 || left + width > box.x1 || bottom < box.y0 || end > box.y1;
             if (cut)

@@ -2,6 +2,7 @@
 #include "tests/gw/workbench.h"
 
 #include <algorithm>
+#include <random>
 
 namespace gw {
 namespace {
@@ -171,6 +172,51 @@ TEST(ManualPixels, GivenMemoryMayHaveTheTopRowFirstAndBlueLowest) {
                 ASSERT_EQ(turned[at], b | g | r << 16) << x << ", " << y;
             }
     }
+}
+
+/// Colours of the window that change in parts from list to list, by clears and by pixels.
+CommandList changed_part(std::mt19937& random) {
+    const auto below = [&](int n) { return int(random() % unsigned(n)); };
+    const float red = below(2) == 0 ? 0.f : 1.f;
+    State state;
+    state.scissor.test = true;
+    state.scissor.box = {below(100), below(90), below(100), below(90)};
+    CommandList list;
+    list.add(SetState{state});
+    list.add(Clear{.planes = mask_of(Plane::Color), .color = vec4(red, 0, 0, 0)});
+    if (below(3) == 0)
+        list.add(WritePixels{.rect = {below(100), below(90), 1, 1}, .colors = {{7, 8, 9, 10}}});
+    return list;
+}
+
+TEST(ManualPixels, KnownPixelsNeedNotBeWrittenAgain) {
+    for (const bool fast : {false, true}) {
+        const auto machine = fast ? make_fast(vgx(), 100, 90) : make_reference(vgx(), 100, 90);
+        std::mt19937 random(5);
+        std::vector<std::uint32_t> kept(9000), fresh(9000);
+        KnownPixels known;
+        for (int i = 0; i < 200; ++i) {
+            CommandList list = changed_part(random);
+            list.add(Read{.key = 1, .rect = {0, 0, 100, 90}, .packed = true});
+            list.add(Read{.key = 2, .rect = {0, 0, 100, 90}, .packed = true});
+            machine->read_into(1, kept, {.top_first = true, .known = &known});
+            machine->read_into(2, fresh, {.top_first = true});
+            machine->execute(list);
+            ASSERT_EQ(kept, fresh) << i;
+        }
+    }
+}
+
+TEST(ManualPixels, PixelsOfAPartAreNotKnown) {
+    const auto machine = make_reference(vgx(), 8, 8);
+    std::vector<std::uint32_t> given(56);
+    KnownPixels known;
+    CommandList list;
+    list.add(Read{.key = 3, .rect = {0, 0, 7, 8}, .packed = true});
+    machine->read_into(3, given, {.known = &known});
+    EXPECT_EQ(
+        test::error_of([&] { machine->execute(list); }),
+        "command 0 (Read): known pixels of read_into = 56; expected those of the whole window");
 }
 
 TEST(ManualPixels, OnlyPackedColorsHaveAnotherLayout) {
