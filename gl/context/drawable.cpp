@@ -3,7 +3,7 @@
 #include "gl/context/settings.h"
 #include "gw/base/parallel.h"
 
-#include <algorithm>
+#include <malloc.h>
 #include <system_error>
 #include <utility>
 
@@ -24,8 +24,16 @@ std::size_t pixel_bytes(const gw::DrawPixels& pixels) {
            (pixels.depths.size() + pixels.stencils.size()) * sizeof(std::uint32_t);
 }
 
-/// Memory of drawn pixels that is kept for the next ones.
-constexpr std::size_t most_spare = 4, most_spare_pixels = 1u << 20;
+/// The memory that a frame frees is for the next one. The C library would give large blocks back to the
+/// system, and take each of their pages anew. These are its own values for a program that once freed
+/// 32 MB.
+bool keep_freed_memory() {
+#ifdef __GLIBC__
+    return mallopt(M_MMAP_THRESHOLD, 32 << 20) != 0 && mallopt(M_TRIM_THRESHOLD, 64 << 20) != 0;
+#else
+    return false;
+#endif
+}
 
 std::unique_ptr<FrameLog> log;
 
@@ -40,6 +48,7 @@ Drawable::Drawable(const Profile& profile, int width, int height, std::string na
       height_(height),
       buffers_(buffers),
       machine_(make_machine(profile, width, height)) {
+    [[maybe_unused]] static const bool is_kept = keep_freed_memory();
     if (log) log->open(*this);
 }
 
@@ -131,28 +140,8 @@ void Drawable::settle() {
         drop_frame();
         throw;
     }
-    recycle(executed_.commands);
+    executed_.commands.clear();
     front_changed_ |= std::exchange(is_left_unseen_, false);
-}
-
-void Drawable::recycle(std::vector<Command>& commands) {
-    for (Command& command : commands) {
-        auto* const pixels = std::get_if<gw::DrawPixels>(&command);
-        if (pixels == nullptr || pixels->colors.empty()) continue;
-        if (spare_colors_.size() < most_spare && pixels->colors.capacity() <= most_spare_pixels)
-            spare_colors_.push_back(std::move(pixels->colors));
-    }
-    commands.clear();
-}
-
-std::vector<Rgba> Drawable::spare_colors(std::size_t pixels) {
-    const auto lock = exclusive();
-    const auto fits = [&](const std::vector<Rgba>& spare) { return spare.capacity() >= pixels; };
-    const auto found = std::find_if(spare_colors_.begin(), spare_colors_.end(), fits);
-    if (found == spare_colors_.end()) return {};
-    std::vector<Rgba> spare = std::move(*found);
-    spare_colors_.erase(found);
-    return spare;
 }
 
 void Drawable::end_background() noexcept {
@@ -215,7 +204,7 @@ void Drawable::flush(Cause cause) {
         log->executed(*this, {list, calls, cause, sum});
     }
     machine_->reset_passes();
-    recycle(list.commands);  // the memory is for the next frame
+    list.commands.clear();  // the memory is for the next frame
     calls.clear();
     frame_ = std::move(list);
     frame_calls_ = std::move(calls);

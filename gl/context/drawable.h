@@ -60,9 +60,6 @@ public:
     void add(Command command, std::span<const CallRun> calls = {});
     void set_state(const gw::State& state, std::span<const CallRun> calls = {});
 
-    /// Memory for the colours of so many pixels, that drawn ones had.
-    std::vector<Rgba> spare_colors(std::size_t pixels);
-
     /// Commands of the frame keep so much memory besides: textures that were made for it.
     void hold(std::size_t bytes);
 
@@ -117,8 +114,6 @@ private:
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
     void drop_frame();
-    /// Removes commands that were executed. The memory of their colours is for the next ones.
-    void recycle(std::vector<Command>& commands);
     bool runs_behind() const;
     /// Executes the frame and shows it while the caller goes on. Returns whether it does.
     bool swap_behind();
@@ -135,7 +130,6 @@ private:
     CommandList executed_;                    ///< by it
     CommandList frame_;
     std::vector<CallRun> frame_calls_;
-    std::vector<std::vector<Rgba>> spare_colors_;
     std::uint64_t frame_vertices_ = 0;
     std::size_t frame_bytes_ = 0;  ///< of its textures and pixels
     std::uint64_t frames_ = 0;

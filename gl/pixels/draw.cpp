@@ -180,8 +180,7 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
     else if (format == GL_STENCIL_INDEX)
         set_stencils(out, c, host_stencils(c, width, height, type, image));
     else
-        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits,
-                               c.drawable->spare_colors(out.area()));
+        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits);
     add_rectangle(c, std::move(out));
 }
 

@@ -37,11 +37,24 @@ bool convert(std::span<const std::byte> bytes, const auto& channel_of, std::vect
     return true;
 }
 
+/// R, G, B, A: components one by one.
+template <class T>
+bool convert_rgba(std::span<const std::byte> bytes, const auto& channel_of,
+                  std::vector<Rgba>& out) {
+    std::uint16_t* const to = out.empty() ? nullptr : out.front().data();
+    for (std::size_t i = 0; i < 4 * out.size(); ++i) {
+        T component;
+        std::memcpy(&component, bytes.data() + i * sizeof component, sizeof component);
+        to[i] = channel_of(component);
+    }
+    return true;
+}
+
 template <class T>
 bool convert(GLenum format, std::span<const std::byte> bytes, const auto& channel_of,
              std::vector<Rgba>& out) {
     switch (format) {
-        case GL_RGBA: return convert<T, 4, 0, 1, 2, 3>(bytes, channel_of, out);
+        case GL_RGBA: return convert_rgba<T>(bytes, channel_of, out);
         case GL_BGRA: return convert<T, 4, 2, 1, 0, 3>(bytes, channel_of, out);
         case GL_RGB: return convert<T, 3, 0, 1, 2, 3>(bytes, channel_of, out);
         case GL_BGR: return convert<T, 3, 2, 1, 0, 3>(bytes, channel_of, out);

@@ -178,8 +178,9 @@ std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, G
 }
 
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                            GLenum type, const HostImage& image, int bits, std::vector<Rgba> out) {
+                            GLenum type, const HostImage& image, int bits) {
     const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    std::vector<Rgba> out;
     if (leaves_colors(c.state.pixel)) {
         out.resize(pixels);
         if (plain_colors(format, type, image.bytes, bits, out)) return out;

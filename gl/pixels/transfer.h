@@ -26,10 +26,9 @@ GLuint transferred_stencil(const Context& c, double index);
 /// The pixels of an image after transfer. Colour indices become colours.
 std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
                               GLenum type, const HostImage& image);
-/// The same, quantized to `bits` bits, in memory that is used again.
+/// The same, quantized to `bits` bits.
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                            GLenum type, const HostImage& image, int bits,
-                            std::vector<Rgba> memory = {});
+                            GLenum type, const HostImage& image, int bits);
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image);
 std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
