@@ -71,6 +71,14 @@ struct Vec3 {
 };
 inline Vec3 all3(const dvec3& v) { return {all(v.x), all(v.y), all(v.z)}; }
 
+/// A vector of points that are adjacent in memory.
+inline Vec3 points_at(const vec3* first) {
+    const hn::Rebind<float, D64> d;
+    hn::Vec<decltype(d)> x, y, z;
+    hn::LoadInterleaved3(d, &first->x, x, y, z);
+    return {hn::PromoteTo(D64(), x), hn::PromoteTo(D64(), y), hn::PromoteTo(D64(), z)};
+}
+
 /// dot4() and transform() of gw/stages/vertex.h for a point p of w = 1.
 inline V64 dot(const dvec4& a, const Vec3& p) {
     return hn::Add(hn::Add(hn::Mul(all(a.x), p.x), hn::Mul(all(a.y), p.y)),

@@ -29,9 +29,12 @@ inline Vec3 unit(const Vec3& v) {
     return {over(v.x), over(v.y), over(v.z)};
 }
 inline Vec3 minus(const Vec3& v) { return {hn::Neg(v.x), hn::Neg(v.y), hn::Neg(v.z)}; }
-/// Object coordinates of up to a vector of vertices; lanes beyond the last repeat the first.
+/// Object coordinates of up to a vector of vertices, in order; lanes beyond the last repeat the
+/// first.
 inline Vec3 gather(const std::vector<vec3>& from, std::span<const std::uint32_t> indices) {
     const D64 d;
+    if (indices.size() == hn::Lanes(d) && indices.back() - indices[0] + 1 == hn::Lanes(d))
+        return points_at(&from[indices[0]]);
     alignas(64) double lanes[3][8];
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
         const vec3& v = from[indices[i < indices.size() ? i : 0]];

@@ -158,11 +158,8 @@ HWY_INLINE V64 component(std::span<const Point> points, const auto& component_of
 }
 HWY_INLINE Vec3 lanes_of(std::span<const vec3> points) {
     const auto at = [&](int c) { return component(points, [c](const vec3& p) { return p[c]; }); };
-    if (points.size() < hn::Lanes(D64())) return {at(0), at(1), at(2)};
-    const hn::Rebind<float, D64> f;
-    hn::Vec<decltype(f)> x, y, z;
-    hn::LoadInterleaved3(f, &points[0].x, x, y, z);
-    return {hn::PromoteTo(D64(), x), hn::PromoteTo(D64(), y), hn::PromoteTo(D64(), z)};
+    if (points.size() == hn::Lanes(D64())) return points_at(points.data());
+    return {at(0), at(1), at(2)};
 }
 HWY_INLINE ClipLanes lanes_of(std::span<const ClipPosition> points) {
     const auto at = [&](int c) {
