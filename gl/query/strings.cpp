@@ -11,8 +11,9 @@ namespace {
 /// The extensions that every machine has, and those of the profile.
 std::string extensions(const Profile& profile) {
     std::string names =
-        "GL_ARB_window_pos GL_EXT_draw_range_elements GL_EXT_packed_depth_stencil GL_EXT_packed_pixels GL_EXT_texture GL_EXT_texture_object "
-        "GL_EXT_vertex_array GL_SGIS_texture_edge_clamp";
+        "GL_ARB_window_pos GL_EXT_copy_texture GL_EXT_draw_range_elements "
+        "GL_EXT_packed_depth_stencil GL_EXT_packed_pixels GL_EXT_subtexture GL_EXT_texture "
+        "GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_texture_edge_clamp";
     const auto add = [&](bool has, const char* name) {
         if (has) names.append(" ").append(name);
     };

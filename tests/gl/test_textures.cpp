@@ -1,4 +1,6 @@
 // Texture objects, images and completeness. [GL11] 3.8
+#include "gl/entry/entry_points.h"
+
 #include "tests/gl/support/window.h"
 
 #include <limits>
@@ -253,6 +255,27 @@ TEST(GlTextures, SubImagesCountFromInsideTheBorder) {
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
     glTexSubImage2D(GL_TEXTURE_2D, 1, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, part.data());
     EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+}
+
+/// GL_EXT_subtexture and GL_EXT_copy_texture, as programs before OpenGL 1.1 have them.
+TEST(GlTextures, ExtensionsReplaceAndCopyParts) {
+    const Window window;
+    const auto function = [](auto* same, const char* name) {
+        return reinterpret_cast<decltype(same)>(find_entry_point(name));
+    };
+    const std::array<Color, 4> image{};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.data());
+    const Color texel{1, 2, 3, 4};
+    function(&glTexSubImage2D, "glTexSubImage2DEXT")(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA,
+                                                     GL_UNSIGNED_BYTE, &texel);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    function(&glCopyTexSubImage2D, "glCopyTexSubImage2DEXT")(GL_TEXTURE_2D, 0, 1, 1, 0, 0, 1, 1);
+    std::array<Color, 4> read{};
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, read.data());
+    EXPECT_EQ(read, (std::array<Color, 4>{texel, {}, {}, {255, 255, 255, 255}}));
+    function(&glCopyTexImage2D, "glCopyTexImage2DEXT")(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 4, 2, 0);
+    EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 4);
 }
 
 /// A thread sees what another one's context changed when it binds the object again.
