@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes C++ from the table of OpenGL's entry points: generate.py functions.txt FOLDER
+"""Makes C++ from the table of OpenGL's entry points: generate.py functions.txt linked.txt FOLDER
 
 FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
 gl/entry/entry_points.h. FOLDER/names.inc has a line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
@@ -95,17 +95,23 @@ def definitions(rows):
             *exported(function(*row) for row in rows), *table("entry_points", rows)]
 
 
-def later_definitions(rows):
+def linked_names(path):
+    with open(path, encoding="utf-8") as file:
+        return [name for line in file if not line.startswith("#") for name in line.split()]
+
+
+def later_definitions(rows, linked):
     """Their arguments are not read, so that their prototypes are not needed: <GL/gl.h> is left out."""
+    names = [row[2] for row in rows] + linked
     return ['#include "gl/entry/entry_points.h"',
-            *exported(f"std::intptr_t gl{row[2]}() {{ return gw::gl::later(); }}" for row in rows),
+            *exported(f"std::intptr_t gl{name}() {{ return gw::gl::later(); }}" for name in names),
             *table("later_entry_points", rows)]
 
 
 def main():
-    path, folder = sys.argv[1:]
-    rows = list(entries(path))
-    names = [row[2] for row in rows]
+    path, linked_path, folder = sys.argv[1:]
+    rows, linked = list(entries(path)), linked_names(linked_path)
+    names = [row[2] for row in rows] + linked
     for name in sorted({n for n in names if names.count(n) > 1}):
         sys.exit(f"{path}: {name} stands twice")
     later = [row for row in rows if row[0] == "later"]
@@ -114,7 +120,7 @@ def main():
                         ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known if not row[2].endswith(("EXT", "ARB"))]),
                         ("function_names.h", names_header([row[2] for row in known])),
                         ("entry_points.cpp", definitions(known)),
-                        ("later.cpp", later_definitions(later))):
+                        ("later.cpp", later_definitions(later, linked))):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
             file.write("\n".join(["// Made from gl/entry/functions.txt by gl/entry/generate.py.", *lines]) + "\n")
 

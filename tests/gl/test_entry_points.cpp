@@ -8,6 +8,12 @@
 #include <string>
 #include <string_view>
 
+// As gl/entry/generate.py defines them.
+extern "C" {
+std::intptr_t glGenBuffersARB();
+std::intptr_t glGenFramebuffersEXT();
+}
+
 namespace gw::gl {
 namespace {
 
@@ -54,6 +60,18 @@ TEST(EntryPoints, HaveTheNamesOfMultitexture) {
     for (const char* name : {"glActiveTextureARB", "glClientActiveTextureARB",
                              "glMultiTexCoord1dARB", "glMultiTexCoord4svARB"})
         EXPECT_NE(find_entry_point(name), nullptr) << name;
+}
+
+/// Programs may be linked with them, but do not find them: the extension is not there.
+TEST(EntryPoints, OfOtherExtensionsAreLinkedWith) {
+    const Window window;
+    for (const auto& [name, function] :
+         {std::pair("glGenBuffersARB", &glGenBuffersARB),
+          std::pair("glGenFramebuffersEXT", &glGenFramebuffersEXT)}) {
+        EXPECT_EQ(function(), 0) << name;
+        EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION)) << name;
+        EXPECT_EQ(find_entry_point(name), nullptr) << name;
+    }
 }
 
 TEST(EntryPoints, DoNothingWithoutAContext) {
