@@ -32,7 +32,12 @@ struct Readback {
 /// What memory has from the Reads of the whole window before, as the machine notes it. Whoever changes
 /// the memory or its layout clears it.
 struct KnownPixels {
-    std::vector<std::uint64_t> colors;  ///< by part of the window
+    /// 16x16 pixels of the window: the blocks of 4x4 among them that have one colour, a bit each.
+    struct Part {
+        std::uint64_t color = 0;
+        std::uint16_t blocks = 0;
+    };
+    std::vector<Part> parts;
 };
 
 /// How read_into() orders packed colours. The bits are those of the planes.

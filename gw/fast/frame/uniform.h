@@ -15,9 +15,6 @@ namespace gw::fast {
 /// Blocks come in groups of 4x4: a vector holds one value of each block of a group.
 inline constexpr int group_blocks = 4;
 
-/// The colour of a group that has several; no colour of a plane.
-inline constexpr std::uint64_t several_colors = ~std::uint64_t{0};
-
 /// The common value of each of 16 blocks, an element or a bit each: block 4 (y mod 4) + x mod 4.
 /// If a block's bit is set, its value is stored only here. The block's pixels in the plane have no
 /// meaning until write_back_blocks() writes them.

@@ -202,7 +202,7 @@ struct Planner {
     ReadOp target_of(const Read& read) {
         if (const auto target = machine.targets.find(read.key); target != machine.targets.end()) {
             const ReadLayout& layout = target->second.layout;
-            if (layout.known) layout.known->colors.resize(group_count(read.rect), several_colors);
+            if (layout.known) layout.known->parts.resize(group_count(read.rect));
             return {.read = &read, .values = target->second.values.data(), .layout = layout};
         }
         Readback& out = machine.readbacks[read.key];

@@ -11,6 +11,8 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstring>
 #include <type_traits>
 
@@ -183,41 +185,52 @@ HWY_NOINLINE void read_cut_blocks(const Target<Pixel>& target, int x, int by) {
                     target.row(y) + (x0 - box.x0));
 }
 
-/// The one colour of a group, or several_colors.
-HWY_INLINE std::uint64_t color_of(const UniformGroup& group) {
-    if (group.one_color != all_lanes) return several_colors;
-    std::uint64_t other = 0;
-    for (const std::uint64_t color : group.color) other |= color ^ group.color[0];
-    return other == 0 ? group.color[0] : several_colors;
+/// The blocks of a group that share one colour.
+HWY_INLINE KnownPixels::Part known_part(const UniformGroup& group) {
+    if (group.one_color == 0) return {};
+    const hn::CappedTag<std::uint64_t, 16> d;
+    const std::uint64_t color = group.color[std::countr_zero(group.one_color)];
+    std::uint32_t same = 0;
+    for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(d))
+        same |= bits_of(d, hn::Eq(hn::Load(d, group.color + i), hn::Set(d, color)), hn::Lanes(d))
+                << i;
+    return {color, std::uint16_t(same & group.one_color)};
 }
 
-/// Notes the colours of a row of groups. The groups whose one colour is there already, a bit each.
-std::uint32_t known_groups(const ReadColors& read, int by) {
-    if (read.layout.known == nullptr) return 0;
-    const int columns = (read.rect.width + group_side - 1) / group_side;
-    std::uint64_t* const noted = &read.layout.known->colors[pixel_index(
-        read.tile.x / group_side, (read.tile.y + by * block_side) / group_side, columns)];
-    std::uint32_t known = 0;
-    for (int i = 0; i * group_side < read.box.x1; ++i) {
-        const std::uint64_t color = color_of(read.tile.group(i * group_blocks, by));
-        if (color != several_colors && color == noted[i]) known |= 1u << i;
-        noted[i] = color;
+/// The blocks that the memory has already, by group of a row of groups.
+struct KnownBlocks {
+    std::array<std::uint32_t, 4> groups{};
+
+    /// Notes what the memory has after this read.
+    HWY_INLINE void find(const ReadColors& read, int by) {
+        if (read.layout.known == nullptr) return;
+        const int columns = (read.rect.width + group_side - 1) / group_side;
+        KnownPixels::Part* const noted = &read.layout.known->parts[pixel_index(
+            read.tile.x / group_side, (read.tile.y + by * block_side) / group_side, columns)];
+        for (int i = 0; i * group_side < read.box.x1; ++i) {
+            const KnownPixels::Part now = known_part(read.tile.group(i * group_blocks, by));
+            groups[std::size_t(i)] = noted[i].color == now.color ? noted[i].blocks & now.blocks : 0;
+            noted[i] = now;
+        }
     }
-    return known;
-}
+    /// Whether four blocks side by side are known.
+    HWY_INLINE bool has_row(int group, int by) const {
+        return (groups[std::size_t(group)] >> by % group_blocks * group_blocks & 0xF) == 0xF;
+    }
+};
 
 template <class Pixel>
 HWY_INLINE void read_rows(const ReadColors& read, Pixel* out) {
     constexpr int width = group_side;
     const BlockBox& box = read.box;
     const Target<Pixel> target(read, out);
-    std::uint32_t known = 0;
+    KnownBlocks known;
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by) {
         const int bottom = by * block_side, end = bottom + block_side;
-        if (by % group_blocks == 0) known = known_groups(read, by);
+        if (by % group_blocks == 0) known.find(read, by);
         target.prefetch(end, end + block_side);
         for (int left = box.x0 / width * width; left < box.x1; left += width) {
-            if (known >> left / width & 1) continue;
+            if (known.has_row(left / width, by)) continue;
             const bool cut =
                 left < box.x0 || left + width > box.x1 || bottom < box.y0 || end > box.y1;
             if (cut)
