@@ -29,7 +29,7 @@ void ShapeSides::set(Shape shape) {
         if (a[1] == b[1]) continue;
         const bool upwards = a[1] < b[1];
         if (!upwards) std::swap(a, b);
-        sides_.push_back({in_pixels(a[0]), in_pixels(a[1]), in_pixels(b[1]),
+        sides_.push_back({in_pixels(a[0]), in_pixels(a[1]), in_pixels(b[1]), in_pixels(b[0]),
                           double(b[0] - a[0]) / double(b[1] - a[1]), upwards ? 1.0 : -1.0});
     }
 }
@@ -95,6 +95,42 @@ void ShapeCoverage::add_side(const ShapeSides::Side& side, double x, double y) {
     }
 }
 
+void ShapeCoverage::add_pixel(const Pixel& pixel) {
+    if (pixel.row < 0) return;
+    Row& crossed = crossed_[std::size_t(pixel.row)];
+    crossed.first = std::min(crossed.first, pixel.column);
+    crossed.last = std::max(crossed.last, pixel.column);
+    const std::size_t i =
+        std::size_t(pixel.row) * std::size_t(width_ + 1) + std::size_t(pixel.column);
+    area_[i] += pixel.area;
+    left_[i] += pixel.left;
+}
+
+/// Adds a side to `pixel` if both are in one pixel of the range.
+bool ShapeCoverage::add_in_pixel(const ShapeSides::Side& side, double x, double y, Pixel& pixel) {
+    const double x0 = side.x + x, x1 = side.x1 + x, y0 = side.y0 + y, y1 = side.y1 + y;
+    const double low = std::min(x0, x1), high = std::max(x0, x1);
+    if (low < 0 || y0 < 0 || high >= width_ || y1 > height_) return false;
+    const int column = int(low), row = int(y0);
+    if (high > column + 1 || y1 > row + 1) return false;
+    if (column != pixel.column || row != pixel.row) {
+        add_pixel(pixel);
+        pixel = {column, row, 0, 0};
+    }
+    const double height = (y1 - y0) * side.sign;
+    pixel.left += height;
+    pixel.area += height * ((low + high) / 2 - column);
+    return true;
+}
+
+/// Most sides of discs are short: several in turn stay in one pixel.
+void ShapeCoverage::add_sides(const ShapeSides& shape, double x, double y) {
+    Pixel pixel;
+    for (const ShapeSides::Side& side : shape.sides())
+        if (!add_in_pixel(side, x, y, pixel)) add_side(side, x, y);
+    add_pixel(pixel);
+}
+
 /// The coverage of a pixel of the range.
 void ShapeCoverage::put(int column, int row, std::uint32_t coverage) {
     if (coverage == 0) return;
@@ -114,7 +150,7 @@ void ShapeCoverage::find(const ShapeSides& shape, ShapePoint to, const PixelRang
     const int window_x = tile_x + range.x0, window_y = tile_y + range.y0;
     const double x = in_pixels(to[0] - window_x * shape_pixel),
                  y = in_pixels(to[1] - window_y * shape_pixel);
-    for (const ShapeSides::Side& side : shape.sides()) add_side(side, x, y);
+    add_sides(shape, x, y);
 
     const auto exact = [&](int column, int row) {
         std::vector<ShapePoint> moved;

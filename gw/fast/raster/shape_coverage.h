@@ -18,6 +18,7 @@ class ShapeSides {
 public:
     struct Side {
         double x, y0, y1;  ///< x at y0, its lower end
+        double x1;         ///< at y1
         double slope;      ///< dx / dy
         double sign;       ///< 1: upwards, -1: downwards
     };
@@ -68,6 +69,15 @@ private:
     };
 
     void begin(const PixelRange& range);
+    /// What the sides that came last add to the one pixel that they stay in.
+    struct Pixel {
+        int column = 0, row = -1;
+        double area = 0, left = 0;
+    };
+
+    void add_sides(const ShapeSides& shape, double x, double y);
+    bool add_in_pixel(const ShapeSides::Side& side, double x, double y, Pixel& pixel);
+    void add_pixel(const Pixel& pixel);
     void add_side(const ShapeSides::Side& side, double x, double y);
     void add_to_row(int row, double height, double low, double high);
     void put(int column, int row, std::uint32_t coverage);
