@@ -253,6 +253,14 @@ Readback Drawable::read(Plane plane, const Rect& rect, Cause cause) {
     return machine_->readbacks().at(0);
 }
 
+void Drawable::read_values(Plane plane, const Rect& rect, Cause cause,
+                           std::span<std::uint32_t> values) {
+    const auto lock = exclusive();
+    settle();
+    machine_->read_into(0, values);
+    execute_read(plane, rect, cause, false);
+}
+
 Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause) {
     const auto lock = exclusive();
     select(buffer);

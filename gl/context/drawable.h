@@ -77,6 +77,8 @@ public:
     virtual void wait_until_shown() {}
     /// Executes the frame and reads a rectangle inside the drawable.
     Readback read(Plane plane, const Rect& rect, Cause cause);
+    /// The same of depths or stencil values, into the caller's memory.
+    void read_values(Plane plane, const Rect& rect, Cause cause, std::span<std::uint32_t> values);
     /// The colours of a buffer, whatever the read buffer is.
     Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause);
     /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,

@@ -26,8 +26,11 @@ template <class T>
 T integer_of(double value, bool is_index) {
     constexpr double low = double(std::numeric_limits<T>::min());
     constexpr double high = double(std::numeric_limits<T>::max());
-    if (!is_index && std::is_signed_v<T>) value = ((2 * high + 1) * value - 1) / 2;
-    if (!is_index && !std::is_signed_v<T>) value *= high;
+    if constexpr (std::is_unsigned_v<T>) {
+        const double nearest = (is_index ? value : value * high) + 0.5;
+        return nearest >= 0 ? T(std::min(nearest, high)) : T(0);  // a cast is a floor here
+    }
+    if (!is_index) value = ((2 * high + 1) * value - 1) / 2;
     return std::isnan(value) ? T(0) : T(std::clamp(std::floor(value + 0.5), low, high));
 }
 
@@ -107,16 +110,24 @@ double load_component(GLenum type, const std::byte* at, bool is_index) {
     return 0;
 }
 
-void store_component(GLenum type, std::byte* at, double value, bool is_index) {
+void store_components(GLenum type, std::byte* at, std::span<const double> values, bool is_index) {
+    const auto store = [&]<class T>(T) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            store_as<T>(at + i * sizeof(T), values[i], is_index);
+    };
     switch (type) {
-        case GL_BYTE: return store_as<GLbyte>(at, value, is_index);
-        case GL_UNSIGNED_BYTE: return store_as<GLubyte>(at, value, is_index);
-        case GL_SHORT: return store_as<GLshort>(at, value, is_index);
-        case GL_UNSIGNED_SHORT: return store_as<GLushort>(at, value, is_index);
-        case GL_INT: return store_as<GLint>(at, value, is_index);
-        case GL_UNSIGNED_INT: return store_as<GLuint>(at, value, is_index);
-        case GL_FLOAT: return store_as<GLfloat>(at, value, is_index);
+        case GL_BYTE: return store(GLbyte());
+        case GL_UNSIGNED_BYTE: return store(GLubyte());
+        case GL_SHORT: return store(GLshort());
+        case GL_UNSIGNED_SHORT: return store(GLushort());
+        case GL_INT: return store(GLint());
+        case GL_UNSIGNED_INT: return store(GLuint());
+        case GL_FLOAT: return store(GLfloat());
     }
+}
+
+void store_component(GLenum type, std::byte* at, double value, bool is_index) {
+    store_components(type, at, {&value, 1}, is_index);
 }
 
 }  // namespace gw::gl

@@ -4,6 +4,7 @@
 #include <GL/gl.h>
 
 #include <cstddef>
+#include <span>
 
 namespace gw::gl {
 
@@ -31,5 +32,7 @@ std::size_t row_bytes(GLsizei width, GLenum format, GLenum type);
 double load_component(GLenum type, const std::byte* at, bool is_index);
 /// The reverse; clamped to what the type holds.
 void store_component(GLenum type, std::byte* at, double value, bool is_index);
+/// Values side by side.
+void store_components(GLenum type, std::byte* at, std::span<const double> values, bool is_index);
 
 }  // namespace gw::gl

@@ -132,13 +132,17 @@ std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits)
 }
 
 std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause) {
-    std::vector<double> out(rect.area(), 0.0);
     const Rect inside = intersection(*c.read_drawable, rect);
-    if (inside.area() == 0) return out;
-    const Readback read = c.read_drawable->read(plane, inside, cause);
+    if (inside.area() == 0) return std::vector(rect.area(), 0.0);
+    std::vector<std::uint32_t> read(inside.area());
+    c.read_drawable->read_values(plane, inside, cause, read);
     const double scale =
         plane == Plane::Depth ? largest(c.read_drawable->profile().depth_bits) : 1.0;
-    place(out, rect, inside, [&](std::size_t i) { return double(read.values[i]) / scale; });
+    std::vector<double> values(read.size());
+    for (std::size_t i = 0; i < read.size(); ++i) values[i] = double(read[i]) / scale;
+    if (inside == rect) return values;
+    std::vector<double> out(rect.area(), 0.0);
+    place(out, rect, inside, [&](std::size_t i) { return values[i]; });
     return out;
 }
 

@@ -294,15 +294,16 @@ std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei 
     const std::size_t n = std::size_t(width), rows = values.size() / n;
     const std::size_t row = row_bytes(width, format, type);
     std::vector<std::byte> out(rows * row);
-    for (std::size_t y = 0; y < rows; ++y)
-        for (std::size_t x = 0; x < n; ++x) {
-            const double v = values[y * n + x];
-            if (type != GL_BITMAP)
-                store_component(type, &out[y * row + x * component_bytes(type)], v,
-                                is_index_format(format));
-            else if (static_cast<std::int64_t>(v) & 1)
-                out[y * row + x / 8] |= std::byte(0x80u >> x % 8);
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::span from(&values[y * n], n);
+        std::byte* const to = &out[y * row];
+        if (type != GL_BITMAP) {
+            store_components(type, to, from, is_index_format(format));
+            continue;
         }
+        for (std::size_t x = 0; x < n; ++x)
+            if (static_cast<std::int64_t>(from[x]) & 1) to[x / 8] |= std::byte(0x80u >> x % 8);
+    }
     return out;
 }
 
