@@ -118,7 +118,7 @@ bool OwnConnection::wait() {
         if (left <= 0) return false;
         poll(&socket, 1, int(left));
     }
-    return true;
+    return xcb_connection_has_error(link_->connection) == 0;
 }
 
 }  // namespace gw::gl::x11
