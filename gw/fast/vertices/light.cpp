@@ -165,10 +165,19 @@ struct SideLighting {
     }
 };
 
+/// Whether all materials of the mesh's vertices have one exponent.
+bool has_one_exponent(const MeshData& mesh, bool back) {
+    if (mesh.material_indices.empty()) return true;
+    const auto exponent = [&](const FaceMaterials& m) { return back ? m.back.Ns : m.front.Ns; };
+    return std::all_of(mesh.materials.begin(), mesh.materials.end(), [&](const FaceMaterials& m) {
+        return exponent(m) == exponent(mesh.materials[0]);
+    });
+}
+
 void light_all(const VertexProgram& p, PreparedLights& lights,
                std::span<const std::uint32_t> indices, bool back, std::span<Rgba> colors) {
     if (indices.empty()) return;
-    if (!p.is_affine || !p.draw->mesh->data().material_indices.empty())
+    if (!p.is_affine || !has_one_exponent(p.draw->mesh->data(), back))
         return light_one_by_one(p, indices, back, colors);
     const D64 d;
     const std::size_t lanes = hn::Lanes(d);
