@@ -168,15 +168,6 @@ GLuint transferred_stencil(const Context& c, double index) {
     return GLuint(looked_up(c.pixel_maps[GL_PIXEL_MAP_S_TO_S], out));
 }
 
-std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                              GLenum type, const HostImage& image) {
-    std::vector<vec4> out;
-    out.reserve(std::size_t(width) * std::size_t(height));
-    for_each_host_color(c, width, height, format, type, image,
-                        [&](const vec4& color) { out.push_back(color); });
-    return out;
-}
-
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits) {
     const std::size_t pixels = std::size_t(width) * std::size_t(height);

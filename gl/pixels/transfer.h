@@ -23,10 +23,7 @@ double transferred_depth(const Context& c, double depth);
 /// Shift, offset and the map from stencil values to stencil values.
 GLuint transferred_stencil(const Context& c, double index);
 
-/// The pixels of an image after transfer. Colour indices become colours.
-std::vector<vec4> host_colors(const Context& c, GLsizei width, GLsizei height, GLenum format,
-                              GLenum type, const HostImage& image);
-/// The same, quantized to `bits` bits.
+/// The pixels of an image after transfer, quantized to `bits` bits. Colour indices become colours.
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits);
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,

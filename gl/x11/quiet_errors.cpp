@@ -5,6 +5,21 @@
 
 namespace gw::gl::x11 {
 
+namespace {
+
+/// Has the handler look at every reply and error from now on.
+template <class Handler>
+void add_handler(Display* display, Handler& handler) {
+    handler.hook.handler = &Handler::take;
+    handler.hook.data = reinterpret_cast<XPointer>(&handler);
+    LockDisplay(display);
+    handler.hook.next = display->async_handlers;
+    display->async_handlers = &handler.hook;
+    UnlockDisplay(display);
+}
+
+}  // namespace
+
 struct QuietErrors::Handler {
     _XAsyncHandler hook{};
     unsigned long first = 0;  ///< serial number of the first request
@@ -22,12 +37,7 @@ struct QuietErrors::Handler {
 QuietErrors::QuietErrors(Display* display)
     : display_(display), locked_(display), handler_(std::make_unique<Handler>()) {
     handler_->first = XNextRequest(display);
-    handler_->hook.handler = &Handler::take;
-    handler_->hook.data = reinterpret_cast<XPointer>(handler_.get());
-    LockDisplay(display);
-    handler_->hook.next = display->async_handlers;
-    display->async_handlers = &handler_->hook;
-    UnlockDisplay(display);
+    add_handler(display, *handler_);
 }
 
 bool QuietErrors::failed() {
@@ -55,12 +65,7 @@ struct QuietRequests::Handler {
 
 QuietRequests::QuietRequests(Display* display)
     : display_(display), handler_(std::make_unique<Handler>()) {
-    handler_->hook.handler = &Handler::take;
-    handler_->hook.data = reinterpret_cast<XPointer>(handler_.get());
-    LockDisplay(display);
-    handler_->hook.next = display->async_handlers;
-    display->async_handlers = &handler_->hook;
-    UnlockDisplay(display);
+    add_handler(display, *handler_);
 }
 
 void QuietRequests::begin() {
