@@ -4,7 +4,8 @@
 Each program runs on the machine's libGL.so.1 and on Mesa's llvmpipe in turn, in windows of one X server. Prints frames a second of both,
 medians of the repeats, the ratio, and the share of pixels of a last frame that differ by more than 8 of 255.
 
---real: programs of Debian, unmodified, in place of those of bench_programs. Their frames depend on the clock, so pixels are not compared.
+--real: programs of Debian, unmodified, in place of those of bench_programs. A preloaded library fixes their clock, so both sides draw the
+same frames.
 """
 import argparse
 import json
@@ -52,7 +53,7 @@ def run(args, side, name, size, threads, picture):
     env = environment(side, threads, args.lib)
     if args.real:
         command = pinned + REAL[name] + ["-geometry", size]
-        env |= {"LD_PRELOAD": os.path.abspath(args.meter), "FRAME_METER": picture + ".txt"}
+        env |= {"LD_PRELOAD": os.path.abspath(args.meter), "FRAME_METER": picture + ".txt", "FRAME_METER_PICTURE": picture}
     else:
         command = pinned + [args.bin, name, "--width", width, "--height", height, "--picture", picture]
     done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
@@ -90,7 +91,7 @@ def compare(args, name, size, threads, folder):
             "ours": 1 / wall["ours"], "llvmpipe": 1 / wall["llvmpipe"],
             "ratio": wall["llvmpipe"] / wall["ours"],
             "processor ratio": processor["llvmpipe"] / processor["ours"],
-            "pixels off": None if args.real else pixels_off(*pictures.values())}
+            "pixels off": pixels_off(*pictures.values())}
 
 
 def main():
@@ -110,9 +111,8 @@ def main():
                 for name in names:
                     row = compare(args, name, size, threads, folder)
                     part.append(row)
-                    off = "" if args.real else f"{row['pixels off']:11.2%}"
                     print(f"{name:14}{row['ours']:9.1f}{row['llvmpipe']:10.1f}{row['ratio']:8.2f}"
-                          f"{row['processor ratio']:11.2f}{off}", flush=True)
+                          f"{row['processor ratio']:11.2f}{row['pixels off']:11.2%}", flush=True)
                 print(f"{'median':14}{'':19}{statistics.median(r['ratio'] for r in part):8.2f}"
                       f"{statistics.median(r['processor ratio'] for r in part):11.2f}")
                 rows += part
