@@ -96,27 +96,41 @@ HWY_INLINE hn::Vec<DRow> alphas_of(const ColorBlock& block, std::size_t i) {
 #endif
 }
 
-/// Transparency in 8 bits, the second most common blend: SrcAlpha, OneMinusSrcAlpha.
-HWY_NOINLINE inline void mix_by_alpha(const ColorBlock& src, ColorBlock& stored,
-                                      std::uint32_t mask) {
+/// The blends that programs use most, after sums: transparency (SrcAlpha, OneMinusSrcAlpha), glow
+/// (SrcAlpha, One) and products of colours (DstColor, Zero or Zero, SrcColor), as of light maps.
+enum class CommonBlend { None, Transparency, Glow, Product };
+HWY_INLINE CommonBlend common_blend(const Resolved& r) {
+    using enum BlendFactor;
+    const BlendState& b = r.state.blend;
+    const ColorMask& m = r.state.color_mask;
+    if (r.bits != 8 || !b.enable || b.equation != BlendEquation::Add || !(m.r && m.g && m.b && m.a))
+        return CommonBlend::None;
+    if (b.src == SrcAlpha && b.dst == OneMinusSrcAlpha) return CommonBlend::Transparency;
+    if (b.src == SrcAlpha && b.dst == One) return CommonBlend::Glow;
+    const bool is_product =
+        (b.src == DstColor && b.dst == Zero) || (b.src == Zero && b.dst == SrcColor);
+    return is_product ? CommonBlend::Product : CommonBlend::None;
+}
+
+/// Joins the lanes of `mask` of all channels, a row at a time.
+template <CommonBlend blend>
+HWY_NOINLINE inline void blend_rows(const ColorBlock& src, ColorBlock& stored, std::uint32_t mask) {
     const DRow d;
     const auto max = hn::Set(d, std::uint16_t{255});
     const std::uint16_t* from = src.channel[0];
     std::uint16_t* to = stored.channel[0];
     for (std::size_t i = 0; i < 4 * block_pixels; i += hn::Lanes(d)) {
-        const auto alpha = alphas_of(src, i);
-        const auto own = mul_bytes(d, hn::Load(d, from + i), alpha),
-                   other = mul_bytes(d, hn::Load(d, to + i), hn::Sub(max, alpha));
-        store_lanes(hn::Min(max, hn::Add(own, other)),
-                    lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to + i);
+        auto own = hn::Load(d, from + i), other = hn::Load(d, to + i);
+        if constexpr (blend == CommonBlend::Product) {
+            own = mul_bytes(d, own, other);
+        } else {
+            const auto alpha = alphas_of(src, i);
+            if constexpr (blend == CommonBlend::Transparency)
+                other = mul_bytes(d, other, hn::Sub(max, alpha));
+            own = hn::Min(max, hn::Add(mul_bytes(d, own, alpha), other));
+        }
+        store_lanes(own, lanes_of(d, mask | mask << block_pixels, i % block_pixels), d, to + i);
     }
-}
-HWY_INLINE bool mixes_by_alpha(const Resolved& r) {
-    const BlendState& b = r.state.blend;
-    const ColorMask& m = r.state.color_mask;
-    return r.bits == 8 && b.enable && b.src == BlendFactor::SrcAlpha &&
-           b.dst == BlendFactor::OneMinusSrcAlpha && b.equation == BlendEquation::Add && m.r &&
-           m.g && m.b && m.a;
 }
 
 HWY_NOINLINE inline void blend_block(const Resolved& r, const ColorBlock& src,
@@ -197,11 +211,16 @@ HWY_NOINLINE inline void join_and_write(const Resolved& r, const ColorBlock& src
     }
 }
 
-/// Inlined, so that the common blend does not pay for the registers of the others.
+/// Inlined, so that the common blends do not pay for the registers of the others.
 HWY_INLINE void write_color(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
                             std::uint32_t mask) {
-    if (mixes_by_alpha(r)) return mix_by_alpha(src, dst, mask);
-    join_and_write(r, src, dst, mask);
+    switch (common_blend(r)) {
+        case CommonBlend::Transparency:
+            return blend_rows<CommonBlend::Transparency>(src, dst, mask);
+        case CommonBlend::Glow: return blend_rows<CommonBlend::Glow>(src, dst, mask);
+        case CommonBlend::Product: return blend_rows<CommonBlend::Product>(src, dst, mask);
+        case CommonBlend::None: return join_and_write(r, src, dst, mask);
+    }
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE
