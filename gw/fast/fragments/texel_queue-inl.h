@@ -11,8 +11,11 @@
 
 #include "gw/fast/fragments/blend-inl.h"
 #include "gw/fast/shade/batch-inl.h"
+#include "gw/fast/simd/pack_lanes-inl.h"
 
+#include <algorithm>
 #include <bit>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -33,21 +36,24 @@ HWY_NOINLINE inline void draw_waiting(BatchPlanes& planes) {
     TexelQueue& q = *planes.queue;
     const TileDraw& draw = planes.draw;
     const Sampler sampler = sampler_of(*draw.op);
-    ColorBlock texels[TexelQueue::capacity / block_pixels];
+    alignas(64) std::uint16_t texels[4][TexelQueue::capacity + block_pixels];
+    ColorBlock found;
     for (std::size_t n = q.lanes; n % block_pixels != 0; ++n) {
         q.u[n] = q.v[n] = q.rho[n] = 0;
         q.u_k[n] = q.v_k[n] = 0;
     }
-    for (std::size_t n = 0; n < q.lanes; n += block_pixels)
-        sample_lanes(sampler, {q.u + n, q.v + n, q.rho + n, q.u_k + n, q.v_k + n},
-                     texels[n / block_pixels]);
+    for (std::size_t n = 0; n < q.lanes; n += block_pixels) {
+        sample_lanes(sampler, {q.u + n, q.v + n, q.rho + n, q.u_k + n, q.v_k + n}, all_lanes,
+                     found);
+        for (std::size_t c = 0; c < 4; ++c)
+            std::memcpy(texels[c] + n, found.channel[c], sizeof found.channel[c]);
+    }
     std::size_t n = 0;
     for (std::size_t k = 0; k < q.count; ++k) {
         const TexelQueue::Block& b = q.blocks[k];
-        for (std::uint32_t rest = b.lanes; rest != 0; rest &= rest - 1, ++n)
-            for (std::size_t c = 0; c < 4; ++c)
-                planes.in.texel.channel[c][std::countr_zero(rest)] =
-                    texels[n / block_pixels].channel[c][n % block_pixels];
+        for (std::size_t c = 0; c < 4; ++c)
+            spread_lanes(texels[c] + n, b.lanes, planes.in.texel.channel[c]);
+        n += std::size_t(std::popcount(b.lanes));
         write_color(draw.op->state, planes.textured_color(b.triangle, b.x, b.y, b.lanes),
                     draw.tile.color[draw.tile.block(b.x, b.y)], b.lanes);
     }
@@ -62,17 +68,17 @@ HWY_NOINLINE inline void let_wait(BatchPlanes& planes, std::size_t i, int bx, in
     if (q.lanes + block_pixels > TexelQueue::capacity) draw_waiting(planes);
     planes.make();
     TextureLanes& at = planes.in.divided;
-    divide_block(sampler_of(*planes.draw.op), planes.scratch.texture[i], planes.draw.tile, bx, by,
-                 at);
-    // Lane by lane: compressed stores of Highway copy a table on each call, if there is no AVX-512.
-    for (std::uint32_t rest = alive; rest != 0; rest &= rest - 1, ++q.lanes) {
-        const int lane = std::countr_zero(rest);
-        q.u[q.lanes] = at.u[lane];
-        q.v[q.lanes] = at.v[lane];
-        q.rho[q.lanes] = at.rho[lane];
-        q.u_k[q.lanes] = at.u_k[lane];
-        q.v_k[q.lanes] = at.v_k[lane];
-    }
+    const TexturePlanes& texture = planes.scratch.texture[i];
+    divide_block(sampler_of(*planes.draw.op), texture, planes.draw.tile, bx, by, alive, at);
+    pack_parts(alive, [&](std::size_t first, const std::uint8_t* order, std::size_t to) {
+        to += q.lanes;
+        store_packed(at.u + first, order, q.u + to);
+        store_packed(at.v + first, order, q.v + to);
+        store_packed(at.rho + first, order, q.rho + to);
+        std::fill_n(q.u_k + to, packed_lanes, texture.s.k);
+        std::fill_n(q.v_k + to, packed_lanes, texture.t.k);
+    });
+    q.lanes += std::size_t(std::popcount(alive));
     q.blocks[q.count++] = {std::uint8_t(i), std::uint8_t(bx), std::uint8_t(by),
                            std::uint16_t(alive)};
     q.waiting.set(queue_place(bx, by));

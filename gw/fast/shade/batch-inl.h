@@ -68,7 +68,7 @@ struct BatchPlanes {
     HWY_NOINLINE const ColorBlock& color_of(std::size_t i, int bx, int by, std::uint32_t mask) {
         make();
         if (modulates) {
-            modulated.write(draw, narrow_color, scratch.texture[i], i, bx, by, in.out);
+            modulated.write(draw, narrow_color, scratch.texture[i], i, bx, by, mask, in.out);
             return in.out;
         }
         if (draw.op->texels) look_up(scratch.texture[i], draw, bx, by, mask, in);

@@ -43,7 +43,7 @@ struct TexelPosition {
 struct ModulatedTexels {
     HWY_INLINE static bool applies_to(const DrawOp&) { return false; }
     HWY_INLINE void write(const TileDraw&, const NarrowBatch&, const TexturePlanes&, std::size_t,
-                          int, int, ColorBlock&) {}
+                          int, int, std::uint32_t, ColorBlock&) {}
 };
 
 #else
@@ -94,9 +94,10 @@ struct ModulatedTexels {
                environment_op(TexEnv::Replace, format, false) == EnvironmentOp::Replace &&
                environment_op(TexEnv::Replace, format, true) == EnvironmentOp::Replace;
     }
+    /// Writes the parts with lanes of `mask`.
     HWY_NOINLINE void write(const TileDraw& draw, const NarrowBatch& colors,
                             const TexturePlanes& planes, std::size_t triangle, int bx, int by,
-                            ColorBlock& out) {
+                            std::uint32_t mask, ColorBlock& out) {
         const DrawOp& op = *draw.op;
         const TexelLevel& level = op.texels->texels.levels[0];
         const bool replacing = replaces(op), flat = is_flat(op) || replacing;
@@ -111,7 +112,9 @@ struct ModulatedTexels {
         const auto times = [&](V32 a, V32 b) {
             return hn::BitCast(D32(), mul_bytes(d, hn::BitCast(d, a), hn::BitCast(d, b)));
         };
+        if (kept) mask = all_lanes;
         for (std::size_t i = 0; i < parts; ++i) {
+            if (!has_part(mask, i)) continue;
             const TexelWords texel =
                 kept ? kept_texels(op, level, bx, by, i) : texels(op, level, bx, by, i);
             if (replacing)

@@ -233,8 +233,8 @@ HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, in
                         std::uint32_t mask, ShadeInputs& in) {
     if (textures_by_pixel(*draw.op)) return sample_by_pixel(p, draw, bx, by, mask, in.texel);
     const Sampler sampler = sampler_of(*draw.op);
-    divide_block(sampler, p, draw.tile, bx, by, in.divided);
-    sample_block(sampler, in.divided, in.texel);
+    divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
+    sample_block(sampler, in.divided, mask, in.texel);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

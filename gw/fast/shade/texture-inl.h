@@ -10,7 +10,8 @@
 
 #include "gw/fast/raster/primitive.h"
 #include "gw/fast/shade/sampler-inl.h"
-#include "gw/fast/simd/planes-inl.h"
+#include "gw/fast/simd/doubles-inl.h"
+#include "gw/fast/simd/walk-inl.h"
 
 #include <bit>
 
@@ -26,27 +27,64 @@ struct TextureInputs {
     alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
 };
 
+/// The larger slope of a block's rows and columns.
+struct BlockSlopes {
+    alignas(16) float row[block_side], column[block_side];
+};
+
+#if HWY_HAVE_FLOAT64
+
+HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale_s, double scale_t,
+                            BlockSlopes& out) {
+    const hn::CappedTag<double, block_side> d;
+    const hn::Rebind<float, decltype(d)> f;
+    alignas(32) static constexpr double step[block_side] = {0, 1, 2, 3};
+    const auto all = [&](double v) { return hn::Set(d, v); };
+    const auto larger = [&](auto u, auto v) {
+        const auto s = hn::Mul(hn::Abs(u), all(scale_s)), t = hn::Mul(hn::Abs(v), all(scale_t));
+        return hn::DemoteTo(f, hn::Max(t, s));
+    };
+    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
+    for (std::size_t i = 0; i < block_side; i += hn::Lanes(d)) {
+        const auto x = hn::Add(all(dx), hn::Load(d, step + i)),
+                   y = hn::Add(all(dy), hn::Load(d, step + i));
+        hn::Store(larger(hn::Add(all(u.a), hn::Mul(all(u.k), y)),
+                         hn::Add(all(v.a), hn::Mul(all(v.k), y))),
+                  f, out.row + i);
+        hn::Store(larger(hn::Sub(all(u.b), hn::Mul(all(u.k), x)),
+                         hn::Sub(all(v.b), hn::Mul(all(v.k), x))),
+                  f, out.column + i);
+    }
+}
+
+#else
+
+HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale_s, double scale_t,
+                            BlockSlopes& out) {
+    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
+    const auto larger = [&](double s, double t) {
+        return static_cast<float>(std::max(std::abs(s) * scale_s, std::abs(t) * scale_t));
+    };
+    for (int i = 0; i < block_side; ++i) {
+        out.row[i] = larger(u.a + double(u.k) * (dy + i), v.a + double(v.k) * (dy + i));
+        out.column[i] = larger(u.b - double(u.k) * (dx + i), v.b - double(v.k) * (dx + i));
+    }
+}
+
+#endif  // HWY_HAVE_FLOAT64
+
 /// The input of rho: the larger slope of each row and column. docs/manual.md, "Level of detail".
 HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
                                       int bx, int by, float* slope) {
-    const double scale_s = power_of_two(p.s.exponent + s.base().log2_width);
-    const double scale_t = power_of_two(p.t.exponent + s.base().log2_height);
-    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
-    alignas(16) float row[block_side], column[block_side];
-    for (int i = 0; i < block_side; ++i) {
-        const int dx = tile.x + bx * block_side + i - p.slope_x,
-                  dy = tile.y + by * block_side + i - p.slope_y;
-        const double row_u = std::abs(u.a + double(u.k) * dy),
-                     row_v = std::abs(v.a + double(v.k) * dy);
-        const double column_u = std::abs(u.b - double(u.k) * dx),
-                     column_v = std::abs(v.b - double(v.k) * dx);
-        row[i] = static_cast<float>(std::max(row_u * scale_s, row_v * scale_t));
-        column[i] = static_cast<float>(std::max(column_u * scale_s, column_v * scale_t));
-    }
+    BlockSlopes found;
+    find_slopes(p, tile.x + bx * block_side - p.slope_x, tile.y + by * block_side - p.slope_y,
+                power_of_two(p.s.exponent + s.base().log2_width),
+                power_of_two(p.t.exponent + s.base().log2_height), found);
     const hn::CappedTag<float, block_side> f;
     for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(f))
-        hn::Store(hn::Max(hn::Set(f, row[i / block_side]), hn::Load(f, column + i % block_side)), f,
-                  slope + i);
+        hn::Store(hn::Max(hn::Set(f, found.row[i / block_side]),
+                          hn::Load(f, found.column + i % block_side)),
+                  f, slope + i);
 }
 
 /// Puts the lanes of `mask`, which one primitive covers, into the inputs.
@@ -153,14 +191,15 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
     }
 }
 
-/// The same if one primitive covers all lanes that count.
+/// The same for the lanes of `mask`, which one primitive covers.
 HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
-                                      int bx, int by, TextureLanes& out) {
+                                      int bx, int by, std::uint32_t mask, TextureLanes& out) {
     const I32 d;
     const F32 f;
     alignas(64) float slope[block_pixels] = {};
     if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, slope);
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        if (!has_part(mask, i / lanes32)) continue;
         const Pixels at = pixels_of(bx, by, i);
         const auto w = reciprocal_lanes(p.q, at);
         const auto over = [&](const TexturePlane& t) {
@@ -192,12 +231,13 @@ HWY_INLINE Found sample(const Sampler& s, const Coordinates& at, const float* rh
     return between_levels(found, sample_level<Found>(s, at, l.next, l.magnify), l.weight);
 }
 
-/// The texels of all lanes. Lanes with arbitrary coordinates get arbitrary texels.
+/// The texels of the lanes of `mask`; others may get arbitrary texels.
 HWY_NOINLINE inline void sample_lanes(const Sampler& s, const LaneCoordinates& in,
-                                      ColorBlock& out) {
+                                      std::uint32_t mask, ColorBlock& out) {
     const I32 d;
     const F32 f;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+        if (!has_part(mask, i / lanes32)) continue;
         const Coordinates at{hn::Load(f, in.u + i), hn::Load(f, in.v + i), hn::Load(d, in.u_k + i),
                              hn::Load(d, in.v_k + i)};
         const TexelLanes texel = s.has_bytes() ? sample<TexelWords>(s, at, in.rho + i).channels()
@@ -205,8 +245,9 @@ HWY_NOINLINE inline void sample_lanes(const Sampler& s, const LaneCoordinates& i
         for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], out.channel[k] + i);
     }
 }
-HWY_INLINE void sample_block(const Sampler& s, const TextureLanes& in, ColorBlock& out) {
-    sample_lanes(s, {in.u, in.v, in.rho, in.u_k, in.v_k}, out);
+HWY_INLINE void sample_block(const Sampler& s, const TextureLanes& in, std::uint32_t mask,
+                             ColorBlock& out) {
+    sample_lanes(s, {in.u, in.v, in.rho, in.u_k, in.v_k}, mask, out);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -69,6 +69,13 @@ HWY_INLINE LaneSet lane_set(std::uint32_t mask) {
     return s;
 }
 
+/// Whether one of the lanes of `mask` is in a part. A triangle's edge leaves many parts empty.
+HWY_INLINE bool has_part(std::uint32_t mask, std::size_t part) {
+    if constexpr (parts == 1) return true;
+    constexpr std::uint32_t lanes = (1u << lanes32 % block_pixels) - 1;
+    return (mask >> (part * lanes32) & lanes) != 0;
+}
+
 /// Counts how often each lane was in a set. Blocks with all lanes are counted separately.
 struct LaneCounter {
     V32 count[parts];

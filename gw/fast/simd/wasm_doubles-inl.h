@@ -103,6 +103,11 @@ template <std::size_t N, HWY_IF_LE128(double, N)>
 HWY_API Doubles<N> PromoteTo(Simd<double, N, 0>, Vec128<float, N> v) {
     return {wasm_f64x2_promote_low_f32x4(v.raw)};
 }
+/// In the lower lanes.
+template <std::size_t N>
+HWY_API Vec128<float, N> DemoteTo(Simd<float, N, 0>, Doubles<N> v) {
+    return {wasm_f32x4_demote_f64x2_zero(v.raw)};
+}
 /// Modulo 2^64.
 template <std::size_t N>
 HWY_API Vec128<std::int64_t, N> operator*(Vec128<std::int64_t, N> a, Vec128<std::int64_t, N> b) {

@@ -163,16 +163,17 @@ struct Replay {
     }
     HWY_NOINLINE void find(const BlockRun& run, ColorBlock& out) {
         const Sampler sampler = sampler_of(*draw.op);
+        const std::uint32_t mask = run.count == 1 ? entries(run)[0].mask : all_lanes;
         if (run.count == 1)
             divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run),
-                         inputs.divided);
+                         mask, inputs.divided);
         else {
             for (const VisibleBlock& entry : entries(run))
                 texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
                                inputs.texture);
             divide_block(sampler, inputs.texture, inputs.divided);
         }
-        sample_block(sampler, inputs.divided, out);
+        sample_block(sampler, inputs.divided, mask, out);
     }
 
     /// Whether the run changes nothing: its colours are black and no alpha can grow.
