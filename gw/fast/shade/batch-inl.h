@@ -40,11 +40,12 @@ struct BatchPlanes {
     }
     HWY_NOINLINE void make_all() {
         made = true;
+        Denominators shared;
         if (narrow)
             set_up_narrow(draw, corners, narrow_color);
         else
-            set_up_colors(draw, corners, scratch.color);
-        if (draw.op->texels) set_up_textures(draw, corners, scratch.texture);
+            set_up_colors(draw, corners, shared, scratch.color);
+        if (draw.op->texels) set_up_textures(draw, corners, shared, scratch.texture);
     }
     HWY_INLINE void evaluate(std::size_t i, int bx, int by, std::uint32_t mask) {
         if (!narrow && !scratch.color[i].perspective)

@@ -140,6 +140,24 @@ HWY_NOINLINE inline void denominator_planes(const Corners& t, const RatioBatch& 
     planes_through(t, q, out);
 }
 
+/// What the colours and the texture coordinates of a batch share. Made when one of them is.
+struct Denominators {
+    RatioBatch ratio;
+    PlaneBatch q;
+
+    HWY_INLINE void make(const TileDraw& draw, const Corners& t) {
+        if (made_) return;
+        made_ = true;
+        make_ratios(draw, t, ratio);
+        denominator_planes(t, ratio, q);
+    }
+    /// The lanes that are sure.
+    HWY_INLINE std::uint32_t sure() const { return q.sure & ratio.finite; }
+
+private:
+    bool made_ = false;
+};
+
 HWY_INLINE PlaneSlope slope_of(const PlaneBatch& p, std::size_t i) {
     return {double(p.gx[i]), double(p.gy[i]), double(p.base[i] >> 16)};
 }
@@ -161,17 +179,15 @@ HWY_INLINE void put_texture_plane(const CoordinateBatch& c, std::size_t i, const
 }
 
 /// Texture coordinates of a batch.
-HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
+HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Denominators& shared,
+                                   TexturePlanes* out) {
     const TextureState& state = draw.op->state.state.texture;
-    RatioBatch ratio;
-    PlaneBatch q;
+    const PlaneBatch& q = shared.q;
     CoordinateBatch u, v;
-    make_ratios(draw, t, ratio);
-    denominator_planes(t, ratio, q);
-    coordinate_planes(draw, t, 0, state.wrap_s, ratio, u);
-    coordinate_planes(draw, t, 1, state.wrap_t, ratio, v);
-    const std::uint32_t sure =
-        q.sure & u.plane.sure & v.plane.sure & ratio.finite & u.finite & v.finite;
+    shared.make(draw, t);
+    coordinate_planes(draw, t, 0, state.wrap_s, shared.ratio, u);
+    coordinate_planes(draw, t, 1, state.wrap_t, shared.ratio, v);
+    const std::uint32_t sure = shared.sure() & u.plane.sure & v.plane.sure & u.finite & v.finite;
     const bool slopes = needs_rho(state);
     for (std::size_t i = 0; i < t.count; ++i) {
         if (!(sure >> i & 1)) {
@@ -187,12 +203,17 @@ HWY_INLINE void set_up_perspective(const TileDraw& draw, const Corners& t, Textu
     }
 }
 
+#else
+
+struct Denominators {};
+
 #endif  // HWY_HAVE_FLOAT64
 
 /// Texture planes of a batch, out[0 .. count - 1].
-inline void set_up_textures(const TileDraw& draw, const Corners& t, TexturePlanes* out) {
+inline void set_up_textures(const TileDraw& draw, const Corners& t,
+                            [[maybe_unused]] Denominators& shared, TexturePlanes* out) {
 #if HWY_HAVE_FLOAT64
-    if (!draw.op->projective) return set_up_perspective(draw, t, out);
+    if (!draw.op->projective) return set_up_perspective(draw, t, shared, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);
 }

@@ -93,16 +93,14 @@ HWY_INLINE bool is_wide(const DrawOp& op) {
     return op.perspective_color || (is_flat(op) && op.fog_table);
 }
 HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corners& t,
-                                              ColorPlanes* out) {
+                                              Denominators& shared, ColorPlanes* out) {
     const DrawOp& op = *draw.op;
-    RatioBatch ratio;
-    PlaneBatch q;
-    make_ratios(draw, t, ratio);
-    denominator_planes(t, ratio, q);
-    std::uint32_t sure = q.sure & ratio.finite;
+    const RatioBatch& ratio = shared.ratio;
+    shared.make(draw, t);
+    std::uint32_t sure = shared.sure();
     for (std::size_t i = 0; i < t.count; ++i) {
         out[i].perspective = op.perspective_color;
-        put_plane(q, i, out[i].q);
+        put_plane(shared.q, i, out[i].q);
     }
     if (op.perspective_color) {
         ColorWords colors;
@@ -123,10 +121,11 @@ HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corner
 #endif  // HWY_HAVE_FLOAT64
 
 /// Colour planes of a batch if narrow ones do not suffice, out[0 .. count - 1].
-inline void set_up_colors(const TileDraw& draw, const Corners& t, ColorPlanes* out) {
+inline void set_up_colors(const TileDraw& draw, const Corners& t,
+                          [[maybe_unused]] Denominators& shared, ColorPlanes* out) {
     std::uint32_t sure = 0;
 #if HWY_HAVE_FLOAT64
-    if (is_wide(*draw.op)) sure = set_up_wide(draw, t, out);
+    if (is_wide(*draw.op)) sure = set_up_wide(draw, t, shared, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i)
         if (!(sure >> i & 1)) color_one(draw, t, i, out[i]);

@@ -41,10 +41,12 @@ HWY_INLINE void make_colors(const TileDraw& draw, bool narrow, VisibleRecord& re
     if (narrow && record.narrow.size() < batches) record.narrow.resize(batches);
     if (!narrow) record.colors.resize(record.primitives.size());
     for (std::size_t i = 0; i < batches; ++i) {
+        Denominators shared;
         if (narrow)
             set_up_narrow(draw, record.corners[i], record.narrow[i]);
         else
-            set_up_colors(draw, record.corners[i], record.colors.data() + i * batch_capacity);
+            set_up_colors(draw, record.corners[i], shared,
+                          record.colors.data() + i * batch_capacity);
     }
 }
 
@@ -72,8 +74,10 @@ HWY_INLINE void make_textures(const TileDraw& draw, VisibleRecord& record) {
     cache.planes.resize(record.primitives.size());
     cache.found.resize(record.runs.size());
     cache.made.assign(record.runs.size(), 0);
-    for (std::size_t i = 0; i < record.batches(); ++i)
-        set_up_textures(draw, record.corners[i], cache.planes.data() + i * batch_capacity);
+    for (std::size_t i = 0; i < record.batches(); ++i) {
+        Denominators shared;
+        set_up_textures(draw, record.corners[i], shared, cache.planes.data() + i * batch_capacity);
+    }
 }
 
 /// Whether a textured draw only adds its modulated colour, in 8 bits: most passes of [K3].
@@ -165,8 +169,8 @@ struct Replay {
         const Sampler sampler = sampler_of(*draw.op);
         const std::uint32_t mask = run.count == 1 ? entries(run)[0].mask : all_lanes;
         if (run.count == 1)
-            divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run),
-                         mask, inputs.divided);
+            divide_block(sampler, texture_of(entries(run)[0]), draw.tile, bx(run), by(run), mask,
+                         inputs.divided);
         else {
             for (const VisibleBlock& entry : entries(run))
                 texture_inputs(sampler, texture_of(entry), draw.tile, bx(run), by(run), entry.mask,
