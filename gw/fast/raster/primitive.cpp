@@ -83,8 +83,8 @@ struct Maker {
         for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
         const auto [low, high] =
             std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
-        out.low[c] = std::uint32_t(*low);
-        out.high[c] = std::uint32_t(*high);
+        out.low[c] = std::uint16_t(*low);
+        out.high[c] = std::uint16_t(*high);
         out.color[c] = numerator(numerators(used(fractions), used(w()), 0).at);
     }
 

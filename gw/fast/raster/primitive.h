@@ -19,7 +19,7 @@ struct TileDraw;
 struct ColorPlanes {
     TilePlane color[4];  ///< numerators if `perspective`
     bool perspective = false;
-    std::uint32_t low[4] = {}, high[4] = {};
+    Rgba low{}, high{};  ///< of the corners, by channel
     TilePlane q;    ///< denominator, if colour or fog needs one
     TilePlane fog;  ///< factor, or numerator of the coordinate
     float fog_scale = 1;

@@ -14,6 +14,7 @@
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/stages/fog.h"
 
+#include <bit>
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
@@ -37,25 +38,60 @@ HWY_NOINLINE inline void channel_numerators(const Corners& t, const ColorWords& 
         out);
 }
 
-/// The planes of one channel; triangles with one value need no numerators. Returns the lanes that
-/// are sure.
-HWY_INLINE std::uint32_t perspective_channel(const Corners& t, const ColorWords& colors,
-                                             std::size_t c, const RatioBatch& ratio, int bits,
-                                             ColorPlanes* out) {
-    bool varies = false;
-    for (std::size_t i = 0; i < t.count; ++i) {
+#if HWY_TARGET == HWY_SCALAR
+
+/// Each triangle's least and largest value of each channel.
+HWY_INLINE void set_limits(const Corners& t, const ColorWords& colors, ColorPlanes* out) {
+    for (std::size_t i = 0; i < t.count; ++i)
+        for (std::size_t c = 0; c < 4; ++c) {
+            const auto corner = [&](std::size_t k) {
+                return std::uint16_t(colors.at[k][i] >> (16 * c));
+            };
+            out[i].low[c] = std::min({corner(0), corner(1), corner(2)});
+            out[i].high[c] = std::max({corner(0), corner(1), corner(2)});
+        }
+}
+
+#else
+
+/// Each triangle's least and largest value of each channel.
+HWY_INLINE void set_limits(const Corners& t, const ColorWords& colors, ColorPlanes* out) {
+    const U64ForD64 words;
+    const hn::Repartition<std::uint16_t, U64ForD64> d;
+    alignas(64) std::uint64_t low[batch_capacity], high[batch_capacity];
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(words)) {
         const auto corner = [&](std::size_t k) {
-            return std::uint32_t(colors.at[k][i] >> (16 * c) & 0xFFFF);
+            return hn::BitCast(d, hn::Load(words, colors.at[k] + i));
         };
-        out[i].low[c] = std::min({corner(0), corner(1), corner(2)});
-        out[i].high[c] = std::max({corner(0), corner(1), corner(2)});
-        varies |= out[i].low[c] != out[i].high[c];
+        const auto a = corner(0), b = corner(1), c = corner(2);
+        hn::Store(hn::BitCast(words, hn::Min(hn::Min(a, b), c)), words, low + i);
+        hn::Store(hn::BitCast(words, hn::Max(hn::Max(a, b), c)), words, high + i);
     }
-    if (!varies) return ~0u;
+    for (std::size_t i = 0; i < t.count; ++i) {
+        out[i].low = std::bit_cast<Rgba>(low[i]);
+        out[i].high = std::bit_cast<Rgba>(high[i]);
+    }
+}
+
+#endif  // HWY_TARGET == HWY_SCALAR
+
+/// Colours in perspective; channels with one value on each triangle need no numerators. Returns the
+/// lanes that are sure.
+HWY_INLINE std::uint32_t perspective_channels(const TileDraw& draw, const Corners& t,
+                                              const RatioBatch& ratio, ColorPlanes* out) {
+    ColorWords colors;
     PlaneBatch plane;
-    channel_numerators(t, colors, c, ratio, bits, plane);
-    for (std::size_t i = 0; i < t.count; ++i) put_plane(plane, i, out[i].color[c]);
-    return plane.sure;
+    gather_colors(draw, t, colors);
+    set_limits(t, colors, out);
+    std::uint32_t sure = ~0u;
+    const std::uint64_t differing = differing_bits(t, colors);
+    for (std::size_t c = 0; c < 4; ++c) {
+        if ((differing >> (16 * c) & 0xFFFF) == 0) continue;
+        channel_numerators(t, colors, c, ratio, draw.op->state.bits, plane);
+        for (std::size_t i = 0; i < t.count; ++i) put_plane(plane, i, out[i].color[c]);
+        sure &= plane.sure;
+    }
+    return sure;
 }
 
 /// Fog coordinates of a batch; the lanes that are sure.
@@ -102,12 +138,9 @@ HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corner
         out[i].perspective = op.perspective_color;
         put_plane(shared.q, i, out[i].q);
     }
-    if (op.perspective_color) {
-        ColorWords colors;
-        gather_colors(draw, t, colors);
-        for (std::size_t c = 0; c < 4; ++c)
-            sure &= perspective_channel(t, colors, c, ratio, op.state.bits, out);
-    } else
+    if (op.perspective_color)
+        sure &= perspective_channels(draw, t, ratio, out);
+    else
         for (std::size_t i = 0; i < t.count; ++i) {
             const Rgba color = one_color(draw, *t.primitive[i]);
             for (std::size_t c = 0; c < 4; ++c)
@@ -159,7 +192,8 @@ struct PerspectiveColors {
         hn::Vec<F32> over[parts];
         reciprocals(bx, by, over);
         for (std::size_t c = 0; c < 4; ++c) {
-            const auto low = hn::Set(d, p.low[c]), high = hn::Set(d, p.high[c]);
+            const auto low = hn::Set(d, std::uint32_t{p.low[c]}),
+                       high = hn::Set(d, std::uint32_t{p.high[c]});
             const auto corner = numerator[c].corner(bx, by);
             for (std::size_t part = 0; part < parts; ++part) {
                 if (!varies[c]) {
