@@ -174,35 +174,97 @@ HWY_INLINE GradientLanes gradient_lanes(V64 first, V64 second, V64 area2, int sh
             hn::And(hn::And(exact, decided), below(q, 17592186044416.0))};  // 2^44
 }
 
+/// A vector of planes, as in a PlaneBatch.
+struct PlaneLanes {
+    hn::Vec<I64ForD64> gx, gy, base;
+    std::uint32_t sure;
+};
+
+/// A vector of triangles with values at their corners: the products whose differences are
+/// gradients times areas.
+struct PlaneProducts {
+    V64 first_x, second_x, first_y, second_y, area2, a0;
+
+    template <class Value>
+    HWY_INLINE PlaneProducts(const Corners& t, std::size_t i, const Value& value)
+        : area2(hn::Load(D64(), t.area2 + i)), a0(value(0, i)) {
+        const D64 d;
+        const auto d1 = hn::Sub(value(1, i), a0), d2 = hn::Sub(value(2, i), a0);
+        first_x = hn::Mul(d1, hn::Load(d, t.dy2 + i));
+        second_x = hn::Mul(d2, hn::Load(d, t.dy1 + i));
+        first_y = hn::Mul(d2, hn::Load(d, t.dx1 + i));
+        second_y = hn::Mul(d1, hn::Load(d, t.dx2 + i));
+    }
+};
+
+/// Gradients in integers modulo 2^64, as gradient() of gw/fast/raster/setup.h: also of large areas,
+/// and of thin triangles up to 2^50.
+struct WideGradients {
+    hn::Vec<I64ForD64> value;
+    hn::Mask<D64> sure;
+};
+HWY_INLINE WideGradients wide_gradients(V64 first, V64 second, V64 area2, int shift) {
+    const I64ForD64 d;
+    const auto below = [](V64 v, double limit) { return hn::Lt(hn::Abs(v), all(limit)); };
+    const auto difference = hn::Sub(first, second);
+    const auto q = hn::Div(hn::Mul(difference, all(double(std::int64_t{1} << shift))), area2);
+    const auto g = integers(nearest(q)), area = hn::ConvertTo(d, area2);
+    const auto rest =
+        hn::Sub(hn::ShiftLeftSame(hn::ConvertTo(d, difference), shift), hn::Mul(g, area));
+    const auto twice = hn::Add(rest, rest), minus = hn::Sub(hn::Zero(d), area);
+    const auto odd = hn::Eq(hn::And(g, hn::Set(d, 1)), hn::Set(d, 1));
+    const auto up = hn::Or(hn::Gt(twice, area), hn::And(hn::Eq(twice, area), odd));
+    const auto down = hn::Or(hn::Lt(twice, minus), hn::And(hn::Eq(twice, minus), odd));
+    const auto one = hn::Set(d, 1);
+    // 2^52: the products are exact; 2^50: so is the quotient's integer, but for one
+    const auto exact = hn::And(below(first, 4503599627370496.0), below(second, 4503599627370496.0));
+    return {hn::Sub(hn::Add(g, hn::IfThenElseZero(up, one)), hn::IfThenElseZero(down, one)),
+            hn::And(exact, below(q, 1125899906842624.0))};
+}
+HWY_NOINLINE inline PlaneLanes wide_planes(const Corners& t, std::size_t i,
+                                           const PlaneProducts& p) {
+    const D64 d;
+    const I64ForD64 i64;
+    const auto x = wide_gradients(p.first_x, p.second_x, p.area2, 16 + t.s),
+               y = wide_gradients(p.first_y, p.second_y, p.area2, 16 + t.s);
+    const auto step = hn::Add(hn::Mul(x.value, integers(hn::Load(d, t.ax + i))),
+                              hn::Mul(y.value, integers(hn::Load(d, t.ay + i))));
+    const auto base = hn::Add(hn::Add(hn::ShiftLeft<16>(integers(p.a0)), hn::Set(i64, 1 << 15)),
+                              hn::ShiftRightSame(step, t.s));
+    return {x.value, y.value, base, bits_of(d, hn::And(x.sure, y.sure), hn::Lanes(d))};
+}
+
+/// The same for the usual triangles.
+HWY_INLINE PlaneLanes plane_lanes(const Corners& t, std::size_t i, const PlaneProducts& p) {
+    const D64 d;
+    const auto x = gradient_lanes(p.first_x, p.second_x, p.area2, 16 + t.s),
+               y = gradient_lanes(p.first_y, p.second_y, p.area2, 16 + t.s);
+    if (!hn::AllTrue(d, hn::And(x.sure, y.sure))) return wide_planes(t, i, p);
+    const auto step =
+        hn::Add(hn::Mul(x.value, hn::Load(d, t.ax + i)), hn::Mul(y.value, hn::Load(d, t.ay + i)));
+    const auto base = hn::Add(hn::Add(hn::Mul(p.a0, all(65536)), all(32768)),
+                              hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
+    return {integers(x.value), integers(y.value), hn::ConvertTo(I64ForD64(), base),
+            (1u << hn::Lanes(d)) - 1};
+}
+
 /// Planes through integer values, a vector of triangles at a time: value(corner, first lane).
 template <class Value>
 HWY_INLINE void set_up_planes(const Corners& t, const Value& value, PlaneBatch& out) {
-    const D64 d;
-    const I64ForD64 i64;
+    const I64ForD64 d;
     out.sure = 0;
     for (std::size_t i = 0; i < t.filled; i += hn::Lanes(d)) {
-        const auto dx1 = hn::Load(d, t.dx1 + i), dy1 = hn::Load(d, t.dy1 + i);
-        const auto dx2 = hn::Load(d, t.dx2 + i), dy2 = hn::Load(d, t.dy2 + i);
-        const auto area2 = hn::Load(d, t.area2 + i);
-        const auto a0 = value(0, i), d1 = hn::Sub(value(1, i), a0), d2 = hn::Sub(value(2, i), a0);
-        const auto x = gradient_lanes(hn::Mul(d1, dy2), hn::Mul(d2, dy1), area2, 16 + t.s);
-        const auto y = gradient_lanes(hn::Mul(d2, dx1), hn::Mul(d1, dx2), area2, 16 + t.s);
-        const auto step = hn::Add(hn::Mul(x.value, hn::Load(d, t.ax + i)),
-                                  hn::Mul(y.value, hn::Load(d, t.ay + i)));
-        const auto base = hn::Add(hn::Add(hn::Mul(a0, all(65536)), all(32768)),
-                                  hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
-        const auto corner = hn::ConvertTo(i64, base), gx = integers(x.value),
-                   gy = integers(y.value);
-        const auto steps = [&](const std::int32_t* p) {
-            return hn::PromoteTo(i64, hn::Load(I32ForD64(), p));
+        const PlaneLanes p = plane_lanes(t, i, PlaneProducts(t, i, value));
+        const auto steps = [&](const std::int32_t* to) {
+            return hn::PromoteTo(d, hn::Load(I32ForD64(), to));
         };
         const auto to_tile =
-            hn::Add(hn::Mul(gx, steps(t.to_x + i)), hn::Mul(gy, steps(t.to_y + i)));
-        hn::Store(corner, i64, out.base + i);
-        hn::Store(hn::Add(corner, to_tile), i64, out.c + i);
-        hn::Store(gx, i64, out.gx + i);
-        hn::Store(gy, i64, out.gy + i);
-        out.sure |= bits_of(d, hn::And(x.sure, y.sure), hn::Lanes(d)) << i;
+            hn::Add(hn::Mul(p.gx, steps(t.to_x + i)), hn::Mul(p.gy, steps(t.to_y + i)));
+        hn::Store(p.base, d, out.base + i);
+        hn::Store(hn::Add(p.base, to_tile), d, out.c + i);
+        hn::Store(p.gx, d, out.gx + i);
+        hn::Store(p.gy, d, out.gy + i);
+        out.sure |= p.sure << i;
     }
 }
 
