@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include <array>
+#include <utility>
 
 namespace gw {
 namespace {
@@ -39,14 +40,22 @@ bool rightward(vec2 a, vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); 
 // Whether the polygon turns left or runs straight at every corner, and turns round only once. Then
 // the corners ascend by (x, y) in one run of sides.
 bool convex(std::span<const vec2> corners) {
-    const std::size_t n = corners.size();
     int reversals = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const vec2 &a = corners[i], &b = corners[(i + 1) % n], &c = corners[(i + 2) % n];
+    vec2 a = corners[corners.size() - 2], b = corners.back();
+    for (const vec2& c : corners) {
         if (a == b || orient(a, b, c) < 0) return false;
         reversals += rightward(a, b) != rightward(b, c);
+        a = std::exchange(b, c);
     }
     return reversals == 2;
+}
+
+// Whether four corners turn left beyond doubt. Then they turn round only once.
+bool turn_left(const std::array<vec2, 8>& corners) {
+    bool left = true;
+    for (std::size_t i = 0; i < 4; ++i)
+        left &= turns_left(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]);
+    return left;
 }
 
 bool fan_has_area(std::span<const vec2> corners) {
@@ -95,6 +104,7 @@ bool becomes_fan(std::span<const vec3> corners) {
     std::array<vec2, 8> points;
     if (corners.size() > points.size()) return is_simple(project_polygon(corners));
     project_into(corners, points.data());
+    if (corners.size() == 4 && turn_left(points)) return true;
     return is_simple(std::span(points).first(corners.size()));
 }
 
