@@ -48,7 +48,8 @@ HWY_INLINE void load_colors(const PlacedPixels& placed, int x, int y, ColorBlock
         return *placed.columns_from(std::clamp(x + i, box.x, box.x + box.width - 1));
     };
     const int columns[block_side] = {column(0), column(1), column(2), column(3)};
-    const bool adjacent = columns[3] - columns[0] == 3;
+    const bool adjacent = columns[1] - columns[0] == 1 && columns[2] - columns[1] == 1 &&
+                          columns[3] - columns[2] == 1;
     alignas(64) Rgba pixels[block_pixels];
     for (int row = 0; row < block_side; ++row) {
         const Rgba* const from =

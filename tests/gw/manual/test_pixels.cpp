@@ -162,6 +162,13 @@ TEST(ManualPixels, ZoomedColumns) {
     EXPECT_EQ(reds(bench), (std::vector<int>{2, 2, 2, 2, 2, 2, 2, 2}));
 }
 
+/// The window's edge cuts a block: its columns 1, 4 and, repeated, 4, 4 are not adjacent.
+TEST(ManualPixels, ZoomedColumnsAtAnEdge) {
+    Workbench bench(opengl(), 6, 4);
+    bench.run(row_of(9, 4, 1.0 / 3));
+    EXPECT_EQ(reds(bench), (std::vector<int>{0, 0, 0, 0, 2, 5}));
+}
+
 /// Every zoom covers each pixel once: drawn twice under Incr the stencil counts 1.
 TEST(ManualPixels, NeighboursInARectangleShareNoPixel) {
     Workbench bench(opengl(), 64, 64);
