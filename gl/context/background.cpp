@@ -1,100 +1,136 @@
 #include "gl/context/background.h"
 
+#include "gw/base/parallel.h"
+
 #include <unistd.h>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <set>
+#include <thread>
 #include <utility>
 
 namespace gw::gl {
 
+struct Background::Worker {
+    Worker() : thread([this] { run(); }) {}
+    ~Worker();
+    Worker(const Worker&) = delete;
+    Worker& operator=(const Worker&) = delete;
+
+    void start(std::function<void()> new_work);
+    void finish();
+    void run();
+
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::function<void()> work;  ///< null: nothing to do
+    std::exception_ptr failure;
+    bool ends = false;
+    std::thread thread;
+};
+
+Background::Worker::~Worker() {
+    {
+        const std::lock_guard lock(mutex);
+        ends = true;
+    }
+    changed.notify_all();
+    thread.join();
+}
+
+void Background::Worker::start(std::function<void()> new_work) {
+    {
+        const std::lock_guard lock(mutex);
+        work = std::move(new_work);
+    }
+    changed.notify_all();
+}
+
+void Background::Worker::finish() {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return work == nullptr; });
+}
+
+void Background::Worker::run() {
+    std::unique_lock lock(mutex);
+    while (true) {
+        changed.wait(lock, [this] { return work != nullptr || ends; });
+        if (work == nullptr) return;
+        lock.unlock();
+        std::exception_ptr failed;
+        try {
+            work();
+        } catch (...) {
+            failed = std::current_exception();
+        }
+        lock.lock();
+        failure = failed;
+        work = nullptr;
+        changed.notify_all();
+    }
+}
+
 /// Never destroyed: Backgrounds of static objects may go after everything else.
 struct Background::Living {
-    const pid_t process = getpid();  ///< a child has none of the threads
+    const pid_t process = getpid();
     std::mutex mutex;
-    std::set<Background*> all;
-    bool is_ending = false;
+    std::set<Worker*> all;
+    std::atomic<bool> is_ending = false;  ///< changed under the mutex
 
     bool is_child() const { return process != getpid(); }
     void finish_all() {
+        if (is_child()) return;
         const std::lock_guard lock(mutex);
         is_ending = true;
-        if (is_child()) return;
-        for (Background* background : all) background->finish();
+        for (Worker* worker : all) worker->finish();
     }
 };
 
 Background::Living& Background::living() {
     static Living& living = *new Living;
-    // Made after the machine's own static objects, as a drawable's first frames run in its thread.
-    static const struct AtExit {
-        ~AtExit() { Background::living().finish_all(); }
-    } at_exit;
     return living;
 }
 
-bool Background::is_available() {
-    Living& living = Background::living();
-    const std::lock_guard lock(living.mutex);
-    return !living.is_ending && !living.is_child();
-}
+/// After the program's exit handlers. Threads of the program may draw until the process is gone.
+const struct Background::AtExit {
+    ~AtExit() {
+        Background::living().finish_all();
+        end_parallel_loops();
+    }
+} at_exit;
 
-Background::Background() : thread_([this] { run(); }) {
+bool Background::is_program_ending() { return living().is_ending; }
+
+bool Background::is_available() { return !is_program_ending() && !living().is_child(); }
+
+Background::Background() : worker_(std::make_unique<Worker>()) {
     const std::lock_guard lock(living().mutex);
-    living().all.insert(this);
+    living().all.insert(worker_.get());
 }
 
 Background::~Background() {
-    {
-        const std::lock_guard lock(living().mutex);
-        living().all.erase(this);
-    }
     if (living().is_child()) {
-        thread_.detach();
+        static_cast<void>(worker_.release());  // its thread is not there to be ended
         return;
     }
-    {
-        const std::lock_guard lock(mutex_);
-        ends_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
+    const std::lock_guard lock(living().mutex);
+    living().all.erase(worker_.get());
 }
 
 void Background::start(std::function<void()> work) {
-    {
-        const std::lock_guard lock(mutex_);
-        work_ = std::move(work);
-    }
-    changed_.notify_all();
-}
-
-void Background::finish() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return work_ == nullptr; });
+    std::unique_lock lock(living().mutex);
+    if (!living().is_ending) return worker_->start(std::move(work));
+    lock.unlock();
+    work();
 }
 
 void Background::wait() {
-    finish();
-    if (const std::exception_ptr failure = std::exchange(failure_, nullptr))
+    if (living().is_child()) return;
+    worker_->finish();
+    if (const std::exception_ptr failure = std::exchange(worker_->failure, nullptr))
         std::rethrow_exception(failure);
-}
-
-void Background::run() {
-    std::unique_lock lock(mutex_);
-    while (true) {
-        changed_.wait(lock, [this] { return work_ != nullptr || ends_; });
-        if (work_ == nullptr) return;
-        lock.unlock();
-        std::exception_ptr failure;
-        try {
-            work_();
-        } catch (...) {
-            failure = std::current_exception();
-        }
-        lock.lock();
-        failure_ = failure;
-        work_ = nullptr;
-        changed_.notify_all();
-    }
 }
 
 }  // namespace gw::gl

@@ -1,15 +1,13 @@
 // A thread that works for another one, a piece at a time. Does not know the work.
 #pragma once
 
-#include <condition_variable>
-#include <exception>
 #include <functional>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 namespace gw::gl {
 
-/// Before the program's static objects go, all Backgrounds finish their work.
+/// Before the process ends, all Backgrounds finish their work. In a child process
+/// (fork), which has none of the threads, what was not done is left.
 class Background {
 public:
     /// Throws std::system_error if the system gives no thread.
@@ -18,26 +16,23 @@ public:
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// Precondition: nothing is being worked on.
+    /// Precondition: nothing is being worked on. Once the program is ending, the caller works.
     void start(std::function<void()> work);
     /// Returns when all work is done. Rethrows what it threw.
     void wait();
 
-    /// False once the program is ending.
+    /// False once the program is ending, and in a child process.
     static bool is_available();
+    /// After the program's exit handlers. Other threads may go on meanwhile.
+    static bool is_program_ending();
 
 private:
+    struct AtExit;
     struct Living;
+    struct Worker;
     static Living& living();
-    void run();
-    void finish();
 
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::function<void()> work_;  ///< null: nothing to do
-    std::exception_ptr failure_;
-    bool ends_ = false;
-    std::thread thread_;
+    std::unique_ptr<Worker> worker_;
 };
 
 }  // namespace gw::gl

@@ -35,7 +35,8 @@ bool keep_freed_memory() {
 #endif
 }
 
-std::unique_ptr<FrameLog> log;
+/// Never destroyed: other threads draw while the program ends.
+std::unique_ptr<FrameLog>& log = *new std::unique_ptr<FrameLog>;
 
 }  // namespace
 

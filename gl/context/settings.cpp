@@ -1,5 +1,6 @@
 #include "gl/context/settings.h"
 
+#include "gw/base/lasting.h"
 #include "gw/error.h"
 #include "gw/profile_text.h"
 #include "gw/shown.h"
@@ -49,7 +50,7 @@ Settings read_settings() {
 }  // namespace
 
 const Settings& settings() {
-    static const Settings read = read_settings();
+    static const Settings& read = lasting(read_settings());
     return read;
 }
 

@@ -3,6 +3,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/machine_state.h"
 #include "gl/draw/mesh.h"
+#include "gw/base/lasting.h"
 
 #include <algorithm>
 #include <utility>
@@ -72,7 +73,7 @@ Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
 }
 
 Draw with_texture_coordinates(Draw draw) {
-    static const TextureRef any = make_texture("", 1, 1, std::vector<std::uint16_t>(4));
+    static const TextureRef& any = lasting(make_texture("", 1, 1, std::vector<std::uint16_t>(4)));
     draw.map.texture = any;
     return draw;
 }

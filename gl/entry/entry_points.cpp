@@ -2,6 +2,7 @@
 
 #include "gl/context/context.h"
 #include "gl/context/current.h"
+#include "gw/base/lasting.h"
 
 #include <string_view>
 #include <unordered_map>
@@ -9,12 +10,12 @@
 namespace gw::gl {
 
 Address find_entry_point(const char* name) {
-    static const auto table = [] {
+    static const auto& table = lasting([] {
         std::unordered_map<std::string_view, Address> addresses;
         for (const auto& points : {entry_points(), later_entry_points()})
             for (const EntryPoint& point : points) addresses[point.name] = point.address;
         return addresses;
-    }();
+    }());
     const auto found = name != nullptr ? table.find(name) : table.end();
     return found != table.end() ? found->second : nullptr;
 }

@@ -87,7 +87,7 @@ const ExtensionCodes& codes_of(Display* display) {
 
 std::deque<Config>& configs_of(Display* display, int screen) {
     const Lock lock(display);
-    static std::deque<Config> none;
+    static auto& none = *new std::deque<Config>;
     std::vector<std::deque<Config>>& screens = known(display).screens;
     return screen >= 0 && std::size_t(screen) < screens.size() ? screens[std::size_t(screen)]
                                                                : none;

@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/state/capabilities.h"
 #include "gl/state/color_material.h"
+#include "gw/base/lasting.h"
 
 #include <map>
 
@@ -286,7 +287,7 @@ Table make_variables() {
 }  // namespace
 
 std::optional<QueryValues> state_variable(Context& c, GLenum pname) {
-    static const Table table = make_variables();
+    static const Table& table = lasting(make_variables());
     if (const auto found = table.find(pname); found != table.end()) return found->second(c);
     if (const Capability* capability = find_capability(pname))
         return whole(is_enabled(c.state, *capability));

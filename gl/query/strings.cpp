@@ -31,7 +31,7 @@ std::string extensions(const Profile& profile) {
 
 const char* implementation_string(const Profile& profile, GLenum name) {
     static std::mutex mutex;
-    static std::map<std::string, std::string> texts;
+    static auto& texts = *new std::map<std::string, std::string>;  // programs keep them
     const auto keep = [&](const std::string& key, const std::string& text) {
         const std::lock_guard lock(mutex);
         return texts.try_emplace(key, text).first->second.c_str();

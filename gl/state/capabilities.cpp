@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/state/color_material.h"
+#include "gw/base/lasting.h"
 
 #include <algorithm>
 #include <vector>
@@ -71,7 +72,7 @@ void set_capability(Context& c, GLenum name, bool on) {
 }  // namespace
 
 std::span<const Capability> capabilities() {
-    static const std::vector<Capability> table = make_capabilities();
+    static const std::vector<Capability>& table = lasting(make_capabilities());
     return table;
 }
 

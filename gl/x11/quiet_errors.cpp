@@ -1,5 +1,7 @@
 #include "gl/x11/quiet_errors.h"
 
+#include <unistd.h>
+
 // Xlib's interface for extensions. It defines macros, so it comes last.
 #include <X11/Xlibint.h>
 
@@ -55,6 +57,7 @@ QuietErrors::~QuietErrors() {
 struct QuietRequests::Handler {
     _XAsyncHandler hook{};
     unsigned long first = 1, last = 0;  ///< serial numbers
+    pid_t process = 0;                  ///< that sent the requests
 
     static Bool take(Display* display, xReply* reply, char*, int, XPointer data) {
         const Handler& handler = *reinterpret_cast<Handler*>(data);
@@ -75,11 +78,13 @@ void QuietRequests::begin() {
 
 void QuietRequests::end() {
     handler_->last = XNextRequest(display_) - 1;
+    handler_->process = getpid();
     XFlush(display_);
 }
 
 void QuietRequests::wait() {
-    if (handler_ && XLastKnownRequestProcessed(display_) < handler_->last) XSync(display_, False);
+    if (!handler_ || XLastKnownRequestProcessed(display_) >= handler_->last) return;
+    if (handler_->process == getpid()) XSync(display_, False);
 }
 
 void QuietRequests::lose_display() {

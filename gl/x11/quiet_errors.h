@@ -56,7 +56,8 @@ public:
         make();
         end();
     }
-    /// Waits until the server has carried them out, unless it is known to have.
+    /// Waits until the server has carried them out, unless it is known to have. In a child process
+    /// (fork), the parent's requests are not waited for: the replies are the parent's.
     void wait();
 
 private:

@@ -53,9 +53,11 @@ std::optional<Surface::FrameTarget> Surface::frame_target() {
     return FrameTarget{words->pixels, words->layout, [this] { return image_->put(*own_); }};
 }
 
+// When the program ends, Xlib does as well: nothing is shown.
+//
 // The server answers: what the program asked of the window before is done when the frame comes.
 void Surface::swap_buffers() {
-    if (!is_double_buffered()) return;
+    if (!is_double_buffered() || Background::is_program_ending()) return;
     const std::optional<Geometry> window = window_size();
     if (window) {
         const LockedDisplay locked(display_);
@@ -89,7 +91,7 @@ void Surface::take(const Geometry& window) {
 }
 
 void Surface::show() {
-    if (!image_ || image_->has_lost_display()) return;
+    if (!image_ || image_->has_lost_display() || Background::is_program_ending()) return;
     flush(Cause::Shown);
     const LockedDisplay locked(display_);
     const auto lock = exclusive();

@@ -112,11 +112,13 @@ int granted_threads(int wanted) {
 
 #ifdef GW_THREADS_TBB
 
+// What they keep is never destroyed: other threads draw while the program ends.
+
 /// oneTBB starts no more threads than there are processors unless its limit is raised.
 void allow_threads(int threads) {
     using Control = tbb::global_control;
     static std::mutex mutex;
-    static std::unique_ptr<Control> allowed;
+    static auto& allowed = *new std::unique_ptr<Control>;
     const std::lock_guard lock(mutex);
     const auto most = std::size_t(threads);
     if (Control::active_value(Control::max_allowed_parallelism) >= most) return;
@@ -150,7 +152,7 @@ private:
 
 void threaded_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body) {
-    static Arenas arenas;
+    static Arenas& arenas = *new Arenas;
     allow_threads(threads);
     Arenas::Arena arena = arenas.take(threads);
     arena->execute([&] {
@@ -205,14 +207,45 @@ void threaded_for(std::size_t count, int threads,
 
 #endif
 
+/// A call of threaded_for.
+class ThreadedLoop {
+public:
+    ThreadedLoop() { ++all_, ++of_thread_; }
+    ~ThreadedLoop() {
+        --of_thread_;
+        --all_;
+        if (ended_) all_.notify_all();
+    }
+    ThreadedLoop(const ThreadedLoop&) = delete;
+    ThreadedLoop& operator=(const ThreadedLoop&) = delete;
+
+    static bool have_ended() { return ended_; }
+    /// A signal handler's exit() may have interrupted loops of this thread.
+    static void end_all() {
+        ended_ = true;
+        for (int n = all_; n > of_thread_; n = all_) all_.wait(n);
+    }
+
+private:
+    static inline std::atomic<int> all_ = 0;
+    static inline std::atomic<bool> ended_ = false;
+    static inline thread_local int of_thread_ = 0;
+};
+
 }  // namespace
+
+void end_parallel_loops() { ThreadedLoop::end_all(); }
 
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body) {
     if (threads <= 0) threads = hardware_threads();
     if (threads > 1 && count > 1) threads = granted_threads(threads);
     if (threads == 1 || count <= 1) return serial_for(count, body);
-    threaded_for(count, threads, body);
+    {
+        const ThreadedLoop loop;
+        if (!ThreadedLoop::have_ended()) return threaded_for(count, threads, body);
+    }
+    serial_for(count, body);
 }
 
 }  // namespace gw

@@ -17,6 +17,10 @@ int hardware_threads();
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body);
 
+/// For a process that ends while other threads go on: waits for their calls of parallel_for, and has
+/// all later ones use the calling thread alone. oneTBB's own objects may then go.
+void end_parallel_loops();
+
 /// Sets nearest-even rounding and gradual underflow; its destructor restores the caller's modes.
 class FloatEnvironment {
 public:

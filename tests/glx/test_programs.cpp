@@ -125,6 +125,21 @@ TEST_F(GlxPrograms, ExitHandlersMayLeaveTheContext) {
     EXPECT_EQ(wait_for_end(), 0);
 }
 
+TEST_F(GlxPrograms, MayExitWhileThreadsDraw) {
+    for (int run = 0; run < 20; ++run) {
+        start({GW_ENDS_PROGRAM, "exit"});
+        EXPECT_EQ(wait_for_end(), 7);
+    }
+}
+
+TEST_F(GlxPrograms, AChildDrawsToADisplayOfItsOwn) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "the thread sanitizer starts no threads in a child";
+#endif
+    start({GW_ENDS_PROGRAM, "fork"});
+    EXPECT_EQ(wait_for_end(), 0);
+}
+
 /// A program that is linked with the parts of libGL.so.1 under their own names.
 TEST_F(GlxPrograms, SplitLibrariesFindTheMachine) {
     ASSERT_TRUE(std::filesystem::exists(GW_SPLIT_PROGRAM)) << "scripts/setup installs libegl1";

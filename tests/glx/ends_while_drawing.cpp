@@ -1,0 +1,90 @@
+// A program that ends while its threads draw: `exit`, with status 7. Or that forks while it draws, and
+// whose child draws to a display of its own: `fork`, with status 0 if the child showed its frames.
+#include <GL/glx.h>
+#include <X11/Xutil.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+
+namespace {
+
+/// A window on a display of its own, with a context that is current in the calling thread.
+class Drawing {
+public:
+    Drawing() : display_(XOpenDisplay(nullptr)) {
+        if (display_ == nullptr) std::_Exit(1);
+        int list[] = {GLX_RGBA, GLX_DOUBLEBUFFER, None};
+        XVisualInfo* const visual = glXChooseVisual(display_, DefaultScreen(display_), list);
+        if (visual == nullptr) std::_Exit(1);
+        window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 200, 150, 0, 0,
+                                      BlackPixel(display_, DefaultScreen(display_)));
+        XMapWindow(display_, window_);
+        const GLXContext context = glXCreateContext(display_, visual, nullptr, 1);
+        if (glXMakeCurrent(display_, window_, context) == 0) std::_Exit(1);
+        glClearColor(1, 1, 1, 1);
+    }
+
+    void draw_frame() {
+        glClear(GL_COLOR_BUFFER_BIT);
+        glRectf(-0.5f, -0.5f, 0.5f, 0.5f);
+        glXSwapBuffers(display_, window_);
+    }
+
+    bool shows_white() {
+        glXWaitGL();
+        XImage* const image = XGetImage(display_, window_, 1, 1, 1, 1, AllPlanes, ZPixmap);
+        return image != nullptr &&
+               XGetPixel(image, 0, 0) == WhitePixel(display_, DefaultScreen(display_));
+    }
+
+private:
+    Display* display_;
+    Window window_ = 0;
+};
+
+constexpr int animation = 40;  // frames, the last of which is still being drawn
+
+void exit_while_threads_draw() {
+    static std::atomic<int> animations = 0;
+    for (int i = 0; i < 2; ++i)
+        std::thread([] {
+            Drawing drawing;
+            for (int frame = 1;; ++frame) {
+                drawing.draw_frame();
+                animations += frame == animation;
+                animations.notify_all();
+            }
+        }).detach();
+    for (int n = animations; n < 2; n = animations) animations.wait(n);
+    std::exit(7);
+}
+
+/// Besides, the child leaves the context that it has from its parent.
+int status_of_child() {
+    Drawing parents;
+    for (int frame = 0; frame < animation; ++frame) parents.draw_frame();
+    const pid_t child = fork();
+    if (child == 0) {
+        alarm(60);
+        glFinish();
+        Drawing own;
+        for (int frame = 0; frame < animation; ++frame) own.draw_frame();
+        std::exit(own.shows_white() ? 0 : 2);
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    for (int frame = 0; frame < animation; ++frame) parents.draw_frame();
+    return WIFEXITED(status) && parents.shows_white() ? WEXITSTATUS(status) : 3;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    const std::string_view how = count == 2 ? arguments[1] : "";
+    if (how == "exit") exit_while_threads_draw();
+    return how == "fork" ? status_of_child() : 1;
+}
