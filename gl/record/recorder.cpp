@@ -20,34 +20,50 @@ namespace gw::gl {
 namespace {
 
 /// Tells all listeners, one call at a time. After the last frame of GW_FRAMES it ends the program.
+/// Never destroyed: other threads draw while the program ends.
 class Listeners : public FrameLog {
 public:
     Listeners(std::vector<std::unique_ptr<FrameLog>> listeners, std::uint64_t last)
         : listeners_(std::move(listeners)), last_(last) {}
 
     void open(Drawable& drawable) override {
-        const std::lock_guard lock(mutex_);
-        for (const auto& l : listeners_) l->open(drawable);
+        tell([&](FrameLog& listener) { listener.open(drawable); });
     }
     void begin_frame(Drawable& drawable) override {
-        const std::lock_guard lock(mutex_);
-        for (const auto& l : listeners_) l->begin_frame(drawable);
+        tell([&](FrameLog& listener) { listener.begin_frame(drawable); });
     }
     void executed(Drawable& drawable, const Execution& execution) override {
-        const std::lock_guard lock(mutex_);
-        for (const auto& l : listeners_) l->executed(drawable, execution);
+        tell([&](FrameLog& listener) { listener.executed(drawable, execution); });
     }
     void end_frame(Drawable& drawable) override {
+        if (is_child()) return;
         const std::lock_guard lock(mutex_);
-        for (const auto& l : listeners_) l->end_frame(drawable);
+        tell([&](FrameLog& listener) { listener.end_frame(drawable); });
         if (drawable.frame() == last_) end_program();
     }
     void close(Drawable& drawable) override {
+        tell([&](FrameLog& listener) { listener.close(drawable); });
+    }
+
+    /// Ends the files. A program whose signal handler exits may be in the middle of one: that one
+    /// stays as it is, cut short.
+    void end() {
+        if (is_child()) return;
         const std::lock_guard lock(mutex_);
-        for (const auto& l : listeners_) l->close(drawable);
+        if (!tells_) listeners_.clear();
     }
 
 private:
+    /// The files are the parent's.
+    bool is_child() const { return process_ != getpid(); }
+    template <class Call>
+    void tell(Call call) {
+        if (is_child()) return;
+        const std::lock_guard lock(mutex_);
+        tells_ = true;
+        for (const auto& listener : listeners_) call(*listener);
+        tells_ = false;
+    }
     /// Without the program's exit handlers: they may draw, or wait for threads that draw. The lock
     /// stops those meanwhile.
     [[noreturn]] void end_program() {
@@ -57,10 +73,21 @@ private:
         ::_exit(0);
     }
 
-    std::mutex mutex_;
+    const pid_t process_ = getpid();
+    std::recursive_mutex mutex_;
+    bool tells_ = false;
     std::vector<std::unique_ptr<FrameLog>> listeners_;
     std::uint64_t last_;
 };
+
+Listeners* started = nullptr;
+
+/// After the program's exit handlers, which may draw.
+const struct AtExit {
+    ~AtExit() {
+        if (started != nullptr) started->end();
+    }
+} at_exit;
 
 /// Adds what `make` makes of the variable's value, if it is set.
 template <class Make>
@@ -87,7 +114,9 @@ void start() {
     add_listener(all, "GW_SCREENSHOT",
                  [&](const char* file) { return std::make_unique<Screenshot>(file, frames); });
     if (all.empty() && frames.last == FrameRange{}.last) return;
-    set_frame_log(std::make_unique<Listeners>(std::move(all), frames.last));
+    auto listeners = std::make_unique<Listeners>(std::move(all), frames.last);
+    started = listeners.get();
+    set_frame_log(std::move(listeners));
 }
 
 }  // namespace
