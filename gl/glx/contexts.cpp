@@ -128,8 +128,12 @@ Bool make_context_current(Display* display, XID draw, XID read, GLXContext conte
     if (!draw_surface) return False;
     auto read_surface = read == draw ? draw_surface : surface_of(display, read, context, request);
     if (!read_surface) return False;
-    if (!take_context(context))
-        return send_error(display, BadAccess, context->name, request), False;
+    if (!take_context(context)) {
+        // Toolkits tidy up in an exit handler, whatever other threads still do. An X error there
+        // would end the program within exit().
+        if (!has_exit_begun()) send_error(display, BadAccess, context->name, request);
+        return False;
+    }
     bind(display, context, draw, read, std::move(draw_surface), std::move(read_surface));
     return True;
 }

@@ -3,6 +3,8 @@
 #include "gl/context/of_thread.h"
 #include "gl/x11/new_name.h"
 
+#include <atomic>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -33,6 +35,8 @@ Contexts& contexts() {
     return *all;
 }
 
+std::atomic<bool> exit_has_begun = false;
+
 void leave_context(GLXContext context) {
     const std::lock_guard lock(contexts().mutex);
     context->is_current = false;
@@ -45,7 +49,10 @@ void Current::leave() { leave_context(context); }
 
 Current& current_binding() { return of_thread<Current>(); }
 
+bool has_exit_begun() { return exit_has_begun; }
+
 GLXContext keep_context(std::unique_ptr<__GLXcontextRec> context) {
+    [[maybe_unused]] static const int registered = std::atexit([] { exit_has_begun = true; });
     const std::lock_guard lock(contexts().mutex);
     const GLXContext name = context.get();
     contexts().kept[name] = std::move(context);

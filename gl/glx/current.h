@@ -39,6 +39,9 @@ GLXContext keep_context(std::unique_ptr<__GLXcontextRec> context);
 bool is_context(GLXContext context);
 void destroy_context(GLXContext context);
 
+/// Whether exit handlers run: those that were registered before the program's first context.
+bool has_exit_begun();
+
 /// Makes a context the calling thread's; false if another thread has it.
 bool take_context(GLXContext context);
 /// Draws what the thread's context has left, and leaves the thread without one.

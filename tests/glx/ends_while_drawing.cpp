@@ -1,4 +1,5 @@
-// A program that ends while its threads draw: `exit`, with status 7. Or that forks while it draws, and
+// A program that ends while its threads draw: `exit`, with status 7. An exit handler tries to take one
+// of their contexts, as freeglut's does. Or that forks while it draws, and
 // whose child draws to a display of its own: `fork`, with status 0 if the child showed its frames.
 #include <GL/glx.h>
 #include <X11/Xutil.h>
@@ -23,10 +24,12 @@ public:
         window_ = XCreateSimpleWindow(display_, DefaultRootWindow(display_), 0, 0, 200, 150, 0, 0,
                                       BlackPixel(display_, DefaultScreen(display_)));
         XMapWindow(display_, window_);
-        const GLXContext context = glXCreateContext(display_, visual, nullptr, 1);
-        if (glXMakeCurrent(display_, window_, context) == 0) std::_Exit(1);
+        context_ = glXCreateContext(display_, visual, nullptr, 1);
+        if (!make_current()) std::_Exit(1);
         glClearColor(1, 1, 1, 1);
     }
+
+    bool make_current() { return glXMakeCurrent(display_, window_, context_) != 0; }
 
     void draw_frame() {
         glClear(GL_COLOR_BUFFER_BIT);
@@ -44,15 +47,24 @@ public:
 private:
     Display* display_;
     Window window_ = 0;
+    GLXContext context_ = nullptr;
 };
 
 constexpr int animation = 40;  // frames, the last of which is still being drawn
 
+std::atomic<Drawing*> of_a_thread = nullptr;
+
+void take_context() {
+    if (of_a_thread.load()->make_current()) std::_Exit(2);
+}
+
 void exit_while_threads_draw() {
+    std::atexit(take_context);
     static std::atomic<int> animations = 0;
     for (int i = 0; i < 2; ++i)
         std::thread([] {
             Drawing drawing;
+            of_a_thread = &drawing;
             for (int frame = 1;; ++frame) {
                 drawing.draw_frame();
                 animations += frame == animation;
