@@ -47,7 +47,7 @@ XID pixmap_to_match(const EGLint* list) {
 
 void keep_configs_for_pixmap(const EglDisplay& display, XID pixmap, std::vector<Config*>& configs) {
     if (pixmap == 0) return;
-    const auto size = display.native ? x11::geometry(display.native, pixmap) : std::nullopt;
+    const auto size = display.native ? x11::pixmap_geometry(display.native, pixmap) : std::nullopt;
     if (!size) throw Failure{EGL_BAD_NATIVE_PIXMAP};
     std::erase_if(configs, [&](const Config* c) { return c->visual.depth != size->depth; });
 }

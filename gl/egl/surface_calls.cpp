@@ -71,7 +71,7 @@ EGLSurface create_native(EGLDisplay handle, EGLConfig config_handle, SurfaceKind
     const WantedSurface wanted = read_surface_list(kind, list);
     if (!config.has_windows()) throw Failure{EGL_BAD_MATCH};
     const auto size = kind == SurfaceKind::Window ? x11::window_geometry(display.native, target)
-                                                  : x11::geometry(display.native, target);
+                                                  : x11::pixmap_geometry(display.native, target);
     if (!size)
         throw Failure{kind == SurfaceKind::Window ? EGL_BAD_NATIVE_WINDOW : EGL_BAD_NATIVE_PIXMAP};
     if (size->depth != config.visual.depth) throw Failure{EGL_BAD_MATCH};
@@ -263,11 +263,13 @@ EGLBoolean eglCopyBuffers(EGLDisplay handle, EGLSurface surface, EGLNativePixmap
     return carried_out([&]() -> EGLBoolean {
         EglDisplay& display = initialized_display(handle);
         const auto from = surface_of(display, surface);
-        const auto to = display.native ? x11::geometry(display.native, XID(pixmap)) : std::nullopt;
+        const auto to =
+            display.native ? x11::pixmap_geometry(display.native, XID(pixmap)) : std::nullopt;
         if (!to) throw Failure{EGL_BAD_NATIVE_PIXMAP};
         const XVisualInfo& visual = from->config().visual;
         if (to->depth != visual.depth) throw Failure{EGL_BAD_MATCH};
         if (from == binding().draw) guarded(*current, [] { finish_drawing(*current); });
+        const x11::LockedDisplay locked(display.native);  // before the drawable, as everywhere
         const auto lock = from->exclusive();
         x11::ShownImage(display.native, visual, XID(pixmap), to->height)
             .show(*from, from->has_back_plane() ? ReadBuffer::Back : ReadBuffer::Front);

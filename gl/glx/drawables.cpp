@@ -26,11 +26,10 @@ int value_of(const int* list, int name, int other) {
 /// A drawable for a window or pixmap of the program's; 0 after an error.
 XID make_surface(Display* display, const Config& config, Surface::Kind kind, XID target,
                  int request) {
-    const std::optional<x11::Geometry> size = x11::geometry(display, target);
-    if (!size) {
-        const bool is_window = kind == Surface::Kind::Window;
-        return send_error(display, is_window ? BadWindow : BadPixmap, target, request), 0;
-    }
+    const bool is_window = kind == Surface::Kind::Window;
+    const std::optional<x11::Geometry> size =
+        is_window ? x11::window_geometry(display, target) : x11::pixmap_geometry(display, target);
+    if (!size) return send_error(display, is_window ? BadWindow : BadPixmap, target, request), 0;
     if (size->depth != config.visual.depth)
         return send_error(display, BadMatch, target, request), 0;
     auto surface = find_surface(display, target);

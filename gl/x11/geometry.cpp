@@ -23,6 +23,11 @@ std::optional<Geometry> window_geometry(Display* display, XID window) {
     return Geometry{found.width, found.height, found.depth};
 }
 
+std::optional<Geometry> pixmap_geometry(Display* display, XID pixmap) {
+    if (window_geometry(display, pixmap)) return {};
+    return geometry(display, pixmap);
+}
+
 std::vector<XVisualInfo> true_color_visuals(Display* display, int screen) {
     XVisualInfo like{};
     like.screen = screen;

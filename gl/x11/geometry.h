@@ -15,6 +15,8 @@ struct Geometry {
 std::optional<Geometry> geometry(Display* display, XID target);
 /// None if there is no such window.
 std::optional<Geometry> window_geometry(Display* display, XID window);
+/// None if there is no such pixmap.
+std::optional<Geometry> pixmap_geometry(Display* display, XID pixmap);
 
 /// The TrueColor visuals of a screen that can be drawn to: the screen's default visual first, those
 /// with an alpha channel last.

@@ -103,6 +103,9 @@ TEST_F(EglX11, DrawsToAPixmap) {
     clear_to(0, 1, 1);
     EXPECT_TRUE(eglWaitGL());
     EXPECT_TRUE(shown(pixmap, 16, 8).is_all(pixel(false, true, true)));
+    const Window root = DefaultRootWindow(display);
+    EXPECT_EQ(eglCreatePixmapSurface(egl, egl_config, root, nullptr), EGL_NO_SURFACE);
+    EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_PIXMAP);
 }
 
 TEST_F(EglX11, CopyBuffersFillsAPixmap) {

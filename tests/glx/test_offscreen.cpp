@@ -41,6 +41,17 @@ TEST_F(GlxOffscreen, APixmapHasThePicture) {
     glXDestroyContext(display, context);
 }
 
+TEST_F(GlxOffscreen, AWindowIsNoPixmap) {
+    const GLXFBConfig with = config(true);
+    window = make_window(with);
+    EXPECT_EQ(errors_of([&] { glXCreatePixmap(display, with, window, nullptr); }),
+              std::vector<int>{BadPixmap});
+    const Pixmap pixmap =
+        XCreatePixmap(display, window, 30, 20, unsigned(DefaultDepth(display, 0)));
+    EXPECT_EQ(errors_of([&] { glXCreateWindow(display, with, pixmap, nullptr); }),
+              std::vector<int>{BadWindow});
+}
+
 TEST_F(GlxOffscreen, APbufferIsQueried) {
     const GLXPbuffer pbuffer = make_pbuffer(display, config(true), 33, 22);
     const auto value = [&](int name) {
