@@ -1,4 +1,5 @@
-// UseXFont: display lists of Bitmap calls from the glyphs of an X font. [GLX 1.4] 3.3.9
+// UseXFont: display lists of Bitmap calls from the glyphs of an X font. [GLX 1.4] 3.3.9. Its manual
+// page has the origin of y as descent - 1: text is one row higher than X draws it.
 #include "gl/glx/displays.h"
 
 #include "gl/context/caught.h"
@@ -69,7 +70,7 @@ Glyph glyph_of(Display* display, const XFontStruct& font, Font name, unsigned ch
     out.height = m->ascent + m->descent;
     if (out.width <= 0 || out.height <= 0) return out.width = out.height = 0, out;
     out.x_origin = float(-m->lbearing);
-    out.y_origin = float(m->descent);
+    out.y_origin = float(m->descent - 1);
     out.bits.resize(std::size_t(out.width + 7) / 8 * std::size_t(out.height));
     draw_glyph(display, name, character, *m, out);
     return out;

@@ -219,6 +219,7 @@ TEST_F(GlxContexts, ClosingTheDisplayWhileCurrentIsAllowed) {
 }
 
 /// The pixels that a list of glyphs sets are those of XDrawString.
+/// One row higher, as the manual page of UseXFont has it.
 TEST_F(GlxContexts, UseXFontDrawsWhatXDraws) {
     const Font font = XLoadFont(display, "fixed");
     const GLXContext context = make_current(true, 64, 48);
@@ -246,7 +247,7 @@ TEST_F(GlxContexts, UseXFontDrawsWhatXDraws) {
     XFillRectangle(display, pixmap, gc, 0, 0, 64, 48);
     XSetForeground(display, gc, pixel(true, true, true));
     XSetFont(display, gc, font);
-    XDrawString(display, pixmap, gc, 4, 48 - 20, text, int(std::strlen(text)));
+    XDrawString(display, pixmap, gc, 4, 48 - 20 - 1, text, int(std::strlen(text)));
     EXPECT_EQ(shown(window, 64, 48).pixels, shown(pixmap, 64, 48).pixels);
     EXPECT_FALSE(shown(window, 64, 48).is_all(0));
     XFreeGC(display, gc);
