@@ -25,6 +25,7 @@ public:
                                       BlackPixel(display_, DefaultScreen(display_)));
         XMapWindow(display_, window_);
         context_ = glXCreateContext(display_, visual, nullptr, 1);
+        XFree(visual);
         if (!make_current()) std::_Exit(1);
         glClearColor(1, 1, 1, 1);
     }
@@ -40,8 +41,10 @@ public:
     bool shows_white() {
         glXWaitGL();
         XImage* const image = XGetImage(display_, window_, 1, 1, 1, 1, AllPlanes, ZPixmap);
-        return image != nullptr &&
-               XGetPixel(image, 0, 0) == WhitePixel(display_, DefaultScreen(display_));
+        if (image == nullptr) return false;
+        const unsigned long pixel = XGetPixel(image, 0, 0);
+        XDestroyImage(image);
+        return pixel == WhitePixel(display_, DefaultScreen(display_));
     }
 
 private:
