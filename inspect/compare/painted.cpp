@@ -23,10 +23,11 @@ void Painted::begin_command(std::size_t place) {
     paint_ = paint_of(command());
     if (std::holds_alternative<SwapBuffers>(command())) {
         front_.swap(back_);
-        main_ = Plane::Color;
+        has_exchanged_ = true;
     }
+    if (std::holds_alternative<BeginPass>(command())) has_exchanged_ = false;
     if (const auto* set = std::get_if<SetState>(&command()))
-        main_ = set->state->draw_buffer == DrawBuffer::Back ? Plane::Back : Plane::Color;
+        drawn_ = set->state->draw_buffer == DrawBuffer::Back ? Plane::Back : Plane::Color;
 }
 
 void Painted::paint(int x, int y, Paint paint, const PixelValues& before,

@@ -23,7 +23,7 @@ public:
         return plane == Plane::Back ? back_ : front_;
     }
     /// The colour plane that the pass shows: Color after an exchange, else the one drawn to.
-    Plane main_plane() const { return main_; }
+    Plane main_plane() const { return has_exchanged_ ? Plane::Color : drawn_; }
 
     void begin_command(std::size_t command) override;
     void fragment(const Fragment& fragment, Fate fate, const PixelValues& before,
@@ -36,7 +36,8 @@ private:
     int width_;
     std::vector<Paint> front_, back_;
     Paint paint_ = Paint::Plain;  ///< of the command
-    Plane main_ = Plane::Color;
+    Plane drawn_ = Plane::Color;
+    bool has_exchanged_ = false;  ///< in this pass
 };
 
 }  // namespace gw::inspect

@@ -30,6 +30,8 @@ Recording three_boxes() {
     list.add(SetState{s});
     list.add(Draw{.mesh = box(0, 0.5f)});
     list.add(SwapBuffers{});
+    s.read_buffer = ReadBuffer::Front;  // programs' frames are read when they are shown
+    list.add(SetState{s});
     r.lists = {list};
     return r;
 }
