@@ -79,11 +79,11 @@ struct FlatPaint {
         hn::Mask<D> lanes[each];
         for (std::size_t k = 0; k < each; ++k)
             lanes[k] = lanes_of(d, mask | mask << block_pixels, k * hn::Lanes(d));
-        for (std::size_t k = 0; k < vectors; ++k) {
-            const std::uint16_t* const from = stored.channel[0] + k * hn::Lanes(d);
+        const std::uint16_t* from = stored.channel[0];
+        std::uint16_t* to = block.channel[0];
+        for (std::size_t k = 0; k < vectors; ++k, from += hn::Lanes(d), to += hn::Lanes(d)) {
             const auto result = store.result(d, color[k], from);
-            hn::Store(hn::IfThenElse(lanes[k % each], result, hn::Load(d, from)), d,
-                      block.channel[0] + k * hn::Lanes(d));
+            hn::Store(hn::IfThenElse(lanes[k % each], result, hn::Load(d, from)), d, to);
         }
     }
     HWY_INLINE void operator()(int bx, int by, AllLanes) const {
