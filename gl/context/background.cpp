@@ -1,5 +1,6 @@
 #include "gl/context/background.h"
 
+#include "gw/base/blocked_signals.h"
 #include "gw/base/parallel.h"
 
 #include <unistd.h>
@@ -105,7 +106,11 @@ bool Background::is_program_ending() { return living().is_ending; }
 
 bool Background::is_available() { return !is_program_ending() && !living().is_child(); }
 
-Background::Background() : worker_(std::make_unique<Worker>()) {
+Background::Background() {
+    {
+        const BlockedSignals blocked;
+        worker_ = std::make_unique<Worker>();
+    }
     const std::lock_guard lock(living().mutex);
     living().all.insert(worker_.get());
 }

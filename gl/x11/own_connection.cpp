@@ -1,5 +1,7 @@
 #include "gl/x11/own_connection.h"
 
+#include "gw/base/blocked_signals.h"
+
 #include <poll.h>
 #include <xcb/xcb.h>
 #include <xcb/xcbext.h>
@@ -65,6 +67,7 @@ struct OwnConnection::Link {
 
 OwnConnection::OwnConnection(Display* programs) : link_(std::make_shared<Link>()) {
     try {
+        const BlockedSignals blocked;
         std::thread([link = link_, name = std::string(DisplayString(programs))] {
             link->make(name);
         }).detach();

@@ -1,5 +1,7 @@
 #include "gw/base/parallel.h"
 
+#include "gw/base/blocked_signals.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
@@ -79,6 +81,7 @@ int count_threads(int wanted) {
         ready.notify_one();
         ended.wait();
     };
+    const BlockedSignals blocked;
     std::vector<std::thread> started;
     started.reserve(std::size_t(wanted));
     try {
@@ -135,7 +138,7 @@ public:
     Arena take(int threads) {
         const std::lock_guard lock(mutex_);
         std::vector<Arena>& free = free_[threads];
-        if (free.empty()) return std::make_unique<tbb::task_arena>(threads);
+        if (free.empty()) return make(threads);
         Arena arena = std::move(free.back());
         free.pop_back();
         return arena;
@@ -146,6 +149,14 @@ public:
     }
 
 private:
+    /// With work for all, so that oneTBB starts its threads here.
+    static Arena make(int threads) {
+        const BlockedSignals blocked;
+        auto arena = std::make_unique<tbb::task_arena>(threads);
+        arena->execute([threads] { tbb::parallel_for(0, threads, [](int) {}); });
+        return arena;
+    }
+
     std::mutex mutex_;
     std::map<int, std::vector<Arena>> free_;
 };
@@ -195,6 +206,7 @@ void threaded_for(std::size_t count, int threads,
     std::vector<std::thread> pool;
     pool.reserve(std::size_t(threads));
     try {
+        const BlockedSignals blocked;
         for (int worker = 1; worker < threads; ++worker)
             pool.emplace_back([&work, worker] { work.run(worker); });
     } catch (const std::system_error&) {

@@ -1,13 +1,18 @@
 // A program that ends while its threads draw: `exit`, with status 7. An exit handler tries to take one
 // of their contexts, as freeglut's does. Or that forks while it draws, and
-// whose child draws to a display of its own: `fork`, with status 0 if the child showed its frames.
+// whose child draws to a display of its own: `fork`, with status 0 if the child showed its frames. Or
+// `signals`: status 0 if they can end it in its own thread only.
 #include <GL/glx.h>
 #include <X11/Xutil.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -96,10 +101,28 @@ int status_of_child() {
     return WIFEXITED(status) && parents.shows_white() ? WEXITSTATUS(status) : 3;
 }
 
+bool takes_alarms(const std::filesystem::path& thread) {
+    std::ifstream status(thread / "status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("SigBlk:"))
+            return (std::stoull(line.substr(7), nullptr, 16) >> (SIGALRM - 1) & 1) == 0;
+    return false;
+}
+
+int status_of_signals() {
+    Drawing drawing;
+    for (int frame = 0; frame < animation; ++frame) drawing.draw_frame();
+    for (const auto& thread : std::filesystem::directory_iterator("/proc/self/task"))
+        if (thread.path().filename() != std::to_string(getpid()) && takes_alarms(thread.path()))
+            return 2;
+    return 0;
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
     const std::string_view how = count == 2 ? arguments[1] : "";
     if (how == "exit") exit_while_threads_draw();
+    if (how == "signals") return status_of_signals();
     return how == "fork" ? status_of_child() : 1;
 }

@@ -132,6 +132,11 @@ TEST_F(GlxPrograms, MayExitWhileThreadsDraw) {
     }
 }
 
+TEST_F(GlxPrograms, SignalsAreForTheProgramsOwnThreads) {
+    start({GW_ENDS_PROGRAM, "signals"});
+    EXPECT_EQ(wait_for_end(), 0);
+}
+
 TEST_F(GlxPrograms, AChildDrawsToADisplayOfItsOwn) {
 #ifdef __SANITIZE_THREAD__
     GTEST_SKIP() << "the thread sanitizer starts no threads in a child";
