@@ -211,26 +211,35 @@ void Drawable::flush(Cause cause) {
     frame_calls_ = std::move(calls);
 }
 
+bool Drawable::finish_execution(Cause cause) {
+    const auto lock = exclusive();
+    const bool ends = front_drawn_ || is_off_screen();
+    if (!ends && background_)  // nothing that anybody sees: executed when it is swapped
+        settle();
+    else
+        flush(ends ? Cause::Shown : cause);
+    return ends;
+}
+
 // Not locked as a whole: windows lock their display before the drawable.
 bool Drawable::finish(Cause cause) {
-    const bool ends = front_drawn_ || is_off_screen();
-    if (!ends && background_) {  // nothing that anybody sees: executed when it is swapped
-        const auto lock = exclusive();
-        settle();
-    } else {
-        flush(ends ? Cause::Shown : cause);
-    }
+    const bool ends = finish_execution(cause);
     present();
     wait_until_shown();
     if (ends) end_frame();
     return ends;
 }
 
+void Drawable::flush_swapped() {
+    const auto lock = exclusive();
+    flush(Cause::Shown);
+    front_changed_ = true;
+}
+
 void Drawable::swap() {
     if (has_back_plane()) add(SwapBuffers{});
     if (!swap_behind()) {
-        flush(Cause::Shown);
-        front_changed_ = true;
+        flush_swapped();
         present();
     }
     end_frame();

@@ -109,13 +109,19 @@ protected:
     void settle();
 
     /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
-    bool take_front_changed() { return std::exchange(front_changed_, false); }
+    bool take_front_changed() {
+        const auto lock = exclusive();
+        return std::exchange(front_changed_, false);
+    }
 
 private:
     void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
     void drop_frame();
+    /// Returns whether the frame ends, off screen or because the front buffer was drawn to.
+    bool finish_execution(Cause cause);
+    void flush_swapped();
     bool runs_behind() const;
     /// Executes the frame and shows it while the caller goes on. Returns whether it does.
     bool swap_behind();

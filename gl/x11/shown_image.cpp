@@ -219,7 +219,7 @@ void ShownImage::put() {
     });
 }
 
-bool ShownImage::put(OwnConnection& own) const {
+bool ShownImage::put(OwnConnection& own, int height) const {
     const XImage& image = *memory_->image;
     return own.put({.target = target_,
                     .gc = XGContextFromGC(gc_),
@@ -227,7 +227,7 @@ bool ShownImage::put(OwnConnection& own) const {
                     .width = image.width,
                     .height = image.height,
                     .depth = image.depth,
-                    .top = target_height_ - image.height});
+                    .top = height - image.height});
 }
 
 }  // namespace gw::gl::x11

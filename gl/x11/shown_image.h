@@ -55,8 +55,9 @@ public:
     };
     /// None: the image has another size, its memory is not shared, or the server's pixels differ.
     std::optional<Words> shared_words(int width, int height, int color_bits);
-    /// Returns whether it is shown. Uses nothing of the program's connection.
-    bool put(OwnConnection& own) const;
+    /// Shows the image in a target of this height. Returns whether it is shown. Uses nothing of the
+    /// program's connection. Another thread may change target_height() meanwhile.
+    bool put(OwnConnection& own, int height) const;
     /// Waits until the server has read what show() put.
     void wait() { put_.wait(); }
 

@@ -50,7 +50,9 @@ std::optional<Surface::FrameTarget> Surface::frame_target() {
     if (!own_->is_ready()) return std::nullopt;
     const auto words = image_->shared_words(width(), height(), profile().color_bits);
     if (!words) return std::nullopt;
-    return FrameTarget{words->pixels, words->layout, [this] { return image_->put(*own_); }};
+    return FrameTarget{words->pixels, words->layout, [this, height = image_->target_height()] {
+                           return image_->put(*own_, height);
+                       }};
 }
 
 // When the program ends, Xlib does as well: nothing is shown.
