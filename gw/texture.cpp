@@ -88,12 +88,6 @@ TextureLevel half(const TextureLevel& level) {
     return result;
 }
 
-std::size_t texels_of(const Texture& t, const TextureLevel& level) {
-    const std::size_t more = t.border ? 2 : 0;
-    return (std::size_t(level.width) + more) *
-           (std::size_t(level.height) + (t.dimensions == 2 ? more : 0));
-}
-
 void check_levels(const Texture& t) {
     const auto fail = [&](const std::string& what) {
         throw Error("texture " + t.name + ": " + what);
@@ -114,9 +108,9 @@ void check_levels(const Texture& t) {
             fail("level " + std::to_string(i) + " of " + std::to_string(level.width) + "x" +
                  std::to_string(level.height) + " texels; expected " + std::to_string(width) + "x" +
                  std::to_string(height));
-        if (level.rgba.size() != 4 * texels_of(t, level))
+        if (level.rgba.size() != 4 * stored_rect(t, level).area())
             fail("level " + std::to_string(i) + " has " + std::to_string(level.rgba.size()) +
-                 " values; expected " + std::to_string(4 * texels_of(t, level)));
+                 " values; expected " + std::to_string(4 * stored_rect(t, level).area()));
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
     }

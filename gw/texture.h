@@ -44,6 +44,12 @@ struct Texture {
     int height() const { return levels.front().height; }
 };
 
+/// The texels that a level stores, with its border: from 0, 0 on.
+constexpr Rect stored_rect(const Texture& t, const TextureLevel& level) {
+    const int more = t.border ? 2 : 0;
+    return {0, 0, level.width + more, level.height + (t.dimensions == 2 ? more : 0)};
+}
+
 /// A texel with values in the channels that its format lacks; `one` stands for 1.
 constexpr Rgba completed(TextureFormat format, Rgba texel, std::uint16_t one) {
     const bool grey = format == TextureFormat::Luminance || format == TextureFormat::Intensity ||

@@ -51,6 +51,10 @@ constexpr std::uint32_t packed(const Rgba& c) {
     return std::uint32_t(c[0]) | std::uint32_t(c[1]) << 8 | std::uint32_t(c[2]) << 16 |
            std::uint32_t(c[3]) << 24;
 }
+constexpr Rgba unpacked(std::uint32_t c) {
+    return {std::uint16_t(c & 0xFF), std::uint16_t(c >> 8 & 0xFF), std::uint16_t(c >> 16 & 0xFF),
+            std::uint16_t(c >> 24)};
+}
 
 /// The index of pixel x, y in rows of `width` pixels.
 constexpr std::size_t pixel_index(int x, int y, int width) {

@@ -3,9 +3,6 @@
 #include "gw/stages/accumulation.h"
 #include "gw/stages/pixels/draw_pixels.h"
 
-#include <bit>
-#include <utility>
-
 namespace gw::reference {
 namespace {
 
@@ -208,21 +205,16 @@ Readback run(const Read& command, const Resolved& r, const FragmentTarget& targe
 Texels copied_texels(const CopyTexture& command, const Resolved& r, const FragmentTarget& target,
                      const Profile& profile) {
     const Rect& rect = command.rect;
-    Texels t{profile.color_bits, {}, {}};
-    TexelLevel level{rect.width,
-                     rect.height,
-                     std::countr_zero(unsigned(rect.width)),
-                     std::countr_zero(unsigned(rect.height)),
-                     {}};
+    Texels t{profile.color_bits};
+    t.add_level(rect.width, rect.height);
+    std::size_t next = 0;
     for_pixels(rect, target, plane_bytes(command.plane, profile), [&](std::size_t i, int, int) {
         const PixelValues v = read_values(r, *target.planes, i);
         const auto grey =
             static_cast<std::uint16_t>(rescale(v.depth, profile.depth_bits, profile.color_bits));
-        level.texels.push_back(command.plane == Plane::Color ? v.color
-                                                             : Rgba{grey, grey, grey, grey});
+        t.set(next++, command.plane == Plane::Color ? v.color : Rgba{grey, grey, grey, grey});
         if (command.plane == Plane::Depth) t.depths.push_back(v.depth);
     });
-    t.levels.push_back(std::move(level));
     return t;
 }
 

@@ -58,9 +58,10 @@ Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, in
 
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];
-        return lookup(level, is_linear(s, choice.magnify), addressing(s, texels, r.border_color),
+        return lookup(texels, level, is_linear(s, choice.magnify),
+                      addressing(s, texels, r.border_color),
                       level_coordinate(v.s, uw, level.log2_width, s.wrap_s),
-                      level_coordinate(v.t, vw, level.log2_height, s.wrap_t), texels.bits);
+                      level_coordinate(v.t, vw, level.log2_height, s.wrap_t));
     };
     if (choice.weight == 0) return sample(choice.level);
     return between_levels(sample(choice.level), sample(choice.next), choice.weight);

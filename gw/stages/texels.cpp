@@ -10,52 +10,72 @@
 namespace gw {
 namespace {
 
-/// One level's array of 16-bit values as texels.
-std::vector<Rgba> rounded(const std::vector<std::uint16_t>& rgba, int bits, int texel_bits) {
-    std::vector<Rgba> out(rgba.size() / 4);
-    if (out.empty()) return out;
-    const std::uint16_t* const from = rgba.data();
-    std::uint16_t* const to = out.front().data();
-    const auto round_all = [&](auto round) {
-        for (std::size_t i = 0; i < 4 * out.size(); ++i)
-            to[i] = static_cast<std::uint16_t>(round(from[i]));
+/// The rounding of 16-bit values. 8 bits: rescale(v, 16, 8) = (v + 128) / 257.
+struct ToBytes {
+    std::uint32_t operator()(std::uint32_t v) const { return (v + 128 - ((v + 128) >> 8)) >> 8; }
+};
+struct ToBits {
+    int texel_bits, bits;
+    std::uint32_t operator()(std::uint32_t v) const {
+        return rescale(rescale(v, 16, texel_bits), texel_bits, bits);
+    }
+};
+
+/// Calls store(x, texel) for the rounded texels of a row.
+template <class Round>
+void round_row(const std::uint16_t* from, int count, Round round, const auto& store) {
+    for (int x = 0; x < count; ++x, from += 4)
+        store(x, Rgba{std::uint16_t(round(from[0])), std::uint16_t(round(from[1])),
+                      std::uint16_t(round(from[2])), std::uint16_t(round(from[3]))});
+}
+
+/// The texels of a level without a border.
+template <class Round>
+void round_inner(Texels& t, const TexelLevel& level, const TextureLevel& from, const Rect& part,
+                 Round round) {
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const std::uint16_t* const row = &from.rgba[4 * pixel_index(part.x, y, level.width)];
+        const std::size_t at = level.index(part.x, y);
+        if (t.bits == 8)
+            round_row(row, part.width, round,
+                      [to = &t.packed[at]](int x, const Rgba& c) { to[x] = packed(c); });
+        else
+            round_row(row, part.width, round,
+                      [to = &t.wide[at]](int x, const Rgba& c) { to[x] = c; });
+    }
+}
+
+/// The texels of a level with a border. In one dimension the rows above and below repeat the one
+/// row: t is 0 there.
+template <class Round>
+void round_bordered(Texels& t, TexelLevel& level, const TextureLevel& from, const Rect& part,
+                    Round round) {
+    const int width = level.width + 2, copies = t.dimensions == 1 ? 3 : 1;
+    const auto store = [&](int i, int j, const Rgba& texel) {
+        level.bordered[pixel_index(i + 1, j + 1, width)] = texel;
+        if (i >= 0 && i < level.width && j >= 0 && j < level.height)
+            t.set(level.index(i, j), texel);
     };
-    if (bits == 8 && texel_bits == 8)  // rescale(v, 16, 8) = (v + 128) / 257
-        round_all([](std::uint32_t v) { return (v + 128 - ((v + 128) >> 8)) >> 8; });
+    for (int y = part.y; y < part.y + part.height; ++y)
+        round_row(&from.rgba[4 * pixel_index(part.x, y, width)], part.width, round,
+                  [&](int x, const Rgba& texel) {
+                      for (int k = 0; k < copies; ++k) store(part.x + x - 1, y + k - 1, texel);
+                  });
+}
+
+/// Takes a rectangle of a level's stored texels over.
+void round_part(Texels& t, TexelLevel& level, const TextureLevel& from, const Rect& part,
+                int texel_bits) {
+    const auto take = [&](auto round) {
+        if (level.bordered.empty())
+            round_inner(t, level, from, part, round);
+        else
+            round_bordered(t, level, from, part, round);
+    };
+    if (t.bits == 8 && texel_bits == 8)
+        take(ToBytes{});
     else
-        round_all(
-            [&](std::uint32_t v) { return rescale(rescale(v, 16, texel_bits), texel_bits, bits); });
-    return out;
-}
-
-/// The texels inside a border.
-std::vector<Rgba> inner(const TexelLevel& level) {
-    std::vector<Rgba> out;
-    for (int j = 0; j < level.height; ++j)
-        for (int i = 0; i < level.width; ++i)
-            out.push_back(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
-    return out;
-}
-
-/// In one dimension the rows above and below repeat the one row: t is 0 there.
-std::vector<Rgba> three_rows(const std::vector<Rgba>& row) {
-    std::vector<Rgba> out = row;
-    out.insert(out.end(), row.begin(), row.end());
-    out.insert(out.end(), row.begin(), row.end());
-    return out;
-}
-
-TexelLevel make_level(const Texture& texture, const TextureLevel& from, int bits, int texel_bits) {
-    TexelLevel level{from.width,
-                     from.height,
-                     std::countr_zero(unsigned(from.width)),
-                     std::countr_zero(unsigned(from.height)),
-                     rounded(from.rgba, bits, texel_bits),
-                     {}};
-    if (!texture.border) return level;
-    level.bordered = texture.dimensions == 2 ? std::move(level.texels) : three_rows(level.texels);
-    level.texels = inner(level);
-    return level;
+        take(ToBits{texel_bits, t.bits});
 }
 
 constexpr std::uint32_t one_bits = 0x3F800000;        // of 1.0f
@@ -76,10 +96,36 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
     return table;
 }
 
+TexelLevel& Texels::add_level(int width, int height) {
+    const std::size_t first = std::max(packed.size(), wide.size()),
+                      end = first + std::size_t(width) * std::size_t(height);
+    if (bits == 8)
+        packed.resize(end);
+    else
+        wide.resize(end);
+    return levels.emplace_back(TexelLevel{width,
+                                          height,
+                                          std::countr_zero(unsigned(width)),
+                                          std::countr_zero(unsigned(height)),
+                                          first,
+                                          {}});
+}
+
 Texels make_texels(const Texture& texture, int bits, int texel_bits) {
-    Texels t{bits, {}, {}, texture.format, texture.dimensions};
-    for (const TextureLevel& level : texture.levels)
-        t.levels.push_back(make_level(texture, level, bits, texel_bits));
+    Texels t{bits, texture.format, texture.dimensions};
+    std::size_t count = 0;
+    for (const TextureLevel& from : texture.levels)
+        count += std::size_t(from.width) * std::size_t(from.height);
+    if (bits == 8)
+        t.packed.reserve(count);
+    else
+        t.wide.reserve(count);
+    for (const TextureLevel& from : texture.levels) {
+        TexelLevel& level = t.add_level(from.width, from.height);
+        if (texture.border)
+            level.bordered.resize(std::size_t(from.width + 2) * std::size_t(from.height + 2));
+        round_part(t, level, from, stored_rect(texture, from), texel_bits);
+    }
     return t;
 }
 
@@ -112,30 +158,32 @@ int filter_index(Wrap wrap, int i, int size) {
 
 }  // namespace
 
-const Rgba& filter_texel(const TexelLevel& level, const Addressing& how, int i, int j) {
+Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
+                  int j) {
     i = filter_index(how.wrap_s, i, level.width);
     j = filter_index(how.wrap_t, j, level.height);
     const bool outside = i < 0 || i >= level.width || j < 0 || j >= level.height;
-    if (!outside) return level.at(i, j);
+    if (!outside) return texels.at(level, i, j);
     return level.bordered.empty() ? how.border_color
                                   : level.bordered[pixel_index(i + 1, j + 1, level.width + 2)];
 }
 
-Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits) {
+Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,
+            int u, int v) {
     const Wrap wrap_s = how.wrap_s, wrap_t = how.wrap_t;
     if (!linear)
-        return level.at(wrap_index(wrap_s, u >> 8, level.width),
-                        wrap_index(wrap_t, v >> 8, level.height));
+        return texels.at(level, wrap_index(wrap_s, u >> 8, level.width),
+                         wrap_index(wrap_t, v >> 8, level.height));
     // to the lower left of the four centres
     const int us = clamped(wrap_s, u, level.width) - 128,
               vs = clamped(wrap_t, v, level.height) - 128;
     const int i = us >> 8, j = vs >> 8;
-    const auto at = [&](int x, int y) { return filter_texel(level, how, x, y); };
+    const auto at = [&](int x, int y) { return filter_texel(texels, level, how, x, y); };
     const Rgba a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)
         out[k] = bilinear(a[k], b[k], c[k], d[k], std::uint32_t(us & 255), std::uint32_t(vs & 255),
-                          bits);
+                          texels.bits);
     return out;
 }
 

@@ -14,19 +14,34 @@ namespace gw {
 
 struct TexelLevel {
     int width = 1, height = 1, log2_width = 0, log2_height = 0;
-    std::vector<Rgba> texels;  ///< of color_bits
-    /// the same with the border around it, (width + 2) (height + 2); empty: there is none
+    std::size_t first = 0;  ///< its first texel, among those of all levels
+    /// its texels with the border around them, (width + 2) (height + 2); empty: there is none
     std::vector<Rgba> bordered;
-    const Rgba& at(int i, int j) const { return texels[pixel_index(i, j, width)]; }
+    std::size_t index(int i, int j) const { return first + pixel_index(i, j, width); }
 };
 
 /// The texels of a draw: colours, or depths for shadow_compare.
 struct Texels {
     int bits = 8;
-    std::vector<TexelLevel> levels;
-    std::vector<std::uint32_t> depths;  ///< of a depth slot, as large as level 0; else empty
     TextureFormat format = TextureFormat::RGBA;
     int dimensions = 2;
+    std::vector<TexelLevel> levels;
+    std::vector<std::uint32_t> packed;  ///< all levels' texels if bits == 8: packed()
+    std::vector<Rgba> wide;             ///< else
+    std::vector<std::uint32_t> depths;  ///< of a depth slot, as large as level 0; else empty
+
+    /// A level more, of black texels.
+    TexelLevel& add_level(int width, int height);
+    void set(std::size_t index, const Rgba& texel) {
+        if (bits == 8)
+            packed[index] = gw::packed(texel);
+        else
+            wide[index] = texel;
+    }
+    Rgba at(const TexelLevel& level, int i, int j) const {
+        const std::size_t index = level.index(i, j);
+        return bits == 8 ? unpacked(packed[index]) : wide[index];
+    }
 };
 
 /// Levels rounded from 16 bits to `texel_bits`, then to `bits`.
@@ -58,10 +73,12 @@ inline Addressing addressing(const TextureState& s, const Texels& texels,
 
 /// The texel at u, v, or the mean of the four texels around it. Coordinates are in units of 1/256
 /// texel; texel i is [256 i, 256 i + 256).
-Rgba lookup(const TexelLevel& level, bool linear, const Addressing& how, int u, int v, int bits);
+Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,
+            int u, int v);
 
 /// The texel that a linear filter sees at (i, j), at most one texel outside the level.
-const Rgba& filter_texel(const TexelLevel& level, const Addressing& how, int i, int j);
+Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
+                  int j);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);

@@ -203,7 +203,7 @@ Json texture_json(const ref::Interpolants& values, const Texels& texels, const R
             looked_up.push_back(
                 {{"i", wrap_index(s.wrap_s, column, level.width)},
                  {"j", wrap_index(s.wrap_t, row, level.height)},
-                 {"color", filter_texel(level, addressing(s, texels, {}), column, row)}});
+                 {"color", filter_texel(texels, level, addressing(s, texels, {}), column, row)}});
     return {{"planes", Json::array({plane_json("Q", values.texture_q, x, y),
                                     plane_json("U", values.s.plane, x, y),
                                     plane_json("V", values.t.plane, x, y)})},

@@ -14,76 +14,85 @@ int wrapped_row(const TexelLevel& level, const Addressing& how, int j) {
     return j < level.height ? j : -1;
 }
 
-/// Row j and what lies beside it, from the first index on. `texels` are those of the level; `row` is
-/// the memory that it uses.
-void pack_row(const TexelLevel& level, const std::uint32_t* texels, const Addressing& how, int j,
-              std::vector<std::uint32_t>& row) {
-    const auto at = [&](int i) { return packed(filter_texel(level, how, i, j)); };
-    const int first = first_index(how.wrap_s);
-    row.clear();
-    if (first < 0) row.push_back(at(first));
-    if (const int k = wrapped_row(level, how, j); k >= 0)
-        row.insert(row.end(), texels + pixel_index(0, k, level.width),
-                   texels + pixel_index(0, k + 1, level.width));
-    else
-        for (int i = 0; i < level.width; ++i) row.push_back(at(i));
-    row.push_back(at(level.width));
-}
+/// From the first index to before the last.
+struct Span {
+    int first, end;
+};
 
-void add_pairs(const TexelLevel& level, const std::uint32_t* texels, const Addressing& how,
-               std::vector<TexelPair>& out) {
-    std::vector<std::uint32_t> row, next;
-    pack_row(level, texels, how, first_index(how.wrap_t), row);
-    for (int j = first_index(how.wrap_t); j < level.height; ++j) {
-        pack_row(level, texels, how, j + 1, next);
-        const std::size_t from = out.size();
-        out.resize(from + row.size());
-        for (std::size_t i = 0; i < row.size(); ++i) out[from + i] = {row[i], next[i]};
-        std::swap(row, next);
+/// A level's pairs.
+class LevelPairs {
+public:
+    LevelPairs(const Texels& texels, const TexelLevel& level, const Addressing& how)
+        : texels_(texels),
+          level_(level),
+          how_(how),
+          all_rows_{first_index(how.wrap_t), level.height},
+          all_columns_{first_index(how.wrap_s), level.width + 1} {}
+
+    std::size_t count() const {
+        return std::size_t(all_rows_.end - all_rows_.first) * std::size_t(row_length());
     }
-}
+    /// Makes all of them, from `out` on.
+    void make(TexelPair* out) const { make(out, all_rows_, all_columns_); }
+
+private:
+    int row_length() const { return all_columns_.end - all_columns_.first; }
+    std::uint32_t at(int i, int j) const {
+        return packed(filter_texel(texels_, level_, how_, i, j));
+    }
+    /// The texels of row j; null: a border.
+    const std::uint32_t* row(int j) const {
+        const int k = wrapped_row(level_, how_, j);
+        return k < 0 ? nullptr : &texels_.packed[level_.index(0, k)];
+    }
+    void make(TexelPair* out, Span rows, Span columns) const {
+        const Span inner{std::max(columns.first, 0), std::min(columns.end, level_.width)};
+        for (int j = rows.first; j < rows.end; ++j) {
+            TexelPair* const to =
+                out + std::ptrdiff_t(j - all_rows_.first) * row_length() - all_columns_.first;
+            const std::uint32_t *const lower = row(j), *const upper = row(j + 1);
+            const Span copied = lower && upper ? inner : Span{columns.first, columns.first};
+            for (int i = copied.first; i < copied.end; ++i) to[i] = {lower[i], upper[i]};
+            for (int i = columns.first; i < copied.first; ++i) to[i] = {at(i, j), at(i, j + 1)};
+            for (int i = copied.end; i < columns.end; ++i) to[i] = {at(i, j), at(i, j + 1)};
+        }
+    }
+
+    const Texels& texels_;
+    const TexelLevel& level_;
+    const Addressing& how_;
+    Span all_rows_, all_columns_;
+};
 
 }  // namespace
 
 FastTexels make_fast_texels(Texels texels) {
     FastTexels f;
-    std::size_t count = 0;
-    for (const TexelLevel& level : texels.levels) count += level.texels.size();
-    if (texels.bits == 8)
-        f.packed.resize(count);
-    else
-        f.wide.reserve(count);
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < texels.levels.size(); ++i) {
-        const std::vector<Rgba>& level = texels.levels[i].texels;
-        f.first[i] = std::int32_t(at);
-        if (texels.bits == 8)
-            std::transform(level.begin(), level.end(), f.packed.begin() + std::ptrdiff_t(at),
-                           packed);
-        else
-            f.wide.insert(f.wide.end(), level.begin(), level.end());
-        at += level.size();
-    }
+    for (std::size_t i = 0; i < texels.levels.size(); ++i)
+        f.first[i] = std::int32_t(texels.levels[i].first);
     f.texels = std::move(texels);
     return f;
 }
 
-const TexelPairs* texel_pairs(FastTexels& texels, Addressing how) {
+const TexelPairs* texel_pairs(FastTexels& fast, Addressing how) {
     constexpr std::size_t most = 16;
+    const Texels& texels = fast.texels;
     if (texels.packed.empty()) return nullptr;
     const bool reaches = how.wrap_s == Wrap::BorderClamp || how.wrap_t == Wrap::BorderClamp;
-    if (!reaches || !texels.texels.levels[0].bordered.empty()) how.border_color = {};
-    for (const TexelPairs& pairs : texels.pairs)
+    if (!reaches || !texels.levels[0].bordered.empty()) how.border_color = {};
+    for (const TexelPairs& pairs : fast.pairs)
         if (pairs.how == how) return &pairs;
-    if (texels.pairs.size() == most) return nullptr;
-    TexelPairs& out = texels.pairs.emplace_back();
+    if (fast.pairs.size() == most) return nullptr;
+    TexelPairs& out = fast.pairs.emplace_back();
     out.how = how;
-    out.pairs.reserve(texels.packed.size() * 5 / 4);
-    for (std::size_t i = 0; i < texels.texels.levels.size(); ++i) {
-        out.first[i] = std::int32_t(out.pairs.size());
-        add_pairs(texels.texels.levels[i], &texels.packed[std::size_t(texels.first[i])], how,
-                  out.pairs);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < texels.levels.size(); ++i) {
+        out.first[i] = std::int32_t(count);
+        count += LevelPairs(texels, texels.levels[i], out.how).count();
     }
+    out.pairs.resize(count);
+    for (std::size_t i = 0; i < texels.levels.size(); ++i)
+        LevelPairs(texels, texels.levels[i], out.how).make(&out.pairs[std::size_t(out.first[i])]);
     return &out;
 }
 

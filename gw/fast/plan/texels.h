@@ -1,5 +1,5 @@
-// Textures in the layout of the fast machine's kernels: all levels in one array. For the bilinear
-// filter, the four texels that a pixel mixes are adjacent. Does not filter.
+// Textures in the layout of the fast machine's kernels. For the bilinear filter, the four texels that
+// a pixel mixes are adjacent. Does not filter.
 #pragma once
 
 #include "gw/stages/texels.h"
@@ -28,8 +28,6 @@ struct TexelPairs {
 struct FastTexels {
     Texels texels;
     std::array<std::int32_t, 16> first{};  ///< of each level, in texels
-    std::vector<std::uint32_t> packed;     ///< if bits == 8: 8 bits a channel, R lowest
-    std::vector<Rgba> wide;                ///< else
     std::deque<TexelPairs> pairs;          ///< made when asked for
 };
 

@@ -34,7 +34,7 @@ struct Sampler {
     const TextureState& state;
     int bits;
 
-    bool has_bytes() const { return !texels.packed.empty(); }
+    bool has_bytes() const { return !texels.texels.packed.empty(); }
     const TexelLevel& base() const { return texels.texels.levels[0]; }
 
     /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; the scaled u is

@@ -25,7 +25,7 @@ struct TexelLanes {
 HWY_INLINE TexelLanes fetch_wide(const FastTexels& t, VI index) {
     const D32 d;
     TexelLanes out;
-    const auto* base = reinterpret_cast<const std::uint32_t*>(t.wide.data());
+    const auto* base = reinterpret_cast<const std::uint32_t*>(t.texels.wide.data());
     const auto two = hn::Add(index, index);
     const auto rg = hn::GatherIndex(d, base, two),
                ba = hn::GatherIndex(d, base, hn::Add(two, hn::Set(I32(), 1)));
@@ -66,7 +66,7 @@ struct TexelWords {
 HWY_INLINE TexelWords fetch_bytes(const FastTexels& t, VI index) {
     const D32 d;
     const auto bytes = hn::Set(d, 0x00FF00FFu);
-    const auto v = hn::GatherIndex(d, t.packed.data(), index);
+    const auto v = hn::GatherIndex(d, t.texels.packed.data(), index);
     return {hn::And(v, bytes), hn::And(hn::ShiftRight<8>(v), bytes)};
 }
 

@@ -69,9 +69,9 @@ struct PixelSampler {
 
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
-        return lookup(level, linear, addressing(state, texels, draw.op->state.border_color),
+        return lookup(texels, level, linear, addressing(state, texels, draw.op->state.border_color),
                       level_coordinate(p.s, over_q(p.s), level.log2_width),
-                      level_coordinate(p.t, over_q(p.t), level.log2_height), texels.bits);
+                      level_coordinate(p.t, over_q(p.t), level.log2_height));
     }
 
     Rgba texel() {

@@ -3,8 +3,6 @@
 
 #include "gw/base/arithmetic.h"
 
-#include <bit>
-
 namespace gw::fast {
 namespace {
 
@@ -59,22 +57,17 @@ Texels copied_texels(const CopyTexture& command, ReadBuffer from, const Planes& 
                      const Profile& profile) {
     const Rect& rect = command.rect;
     const std::vector<Rgba>& colors = colors_read(planes, from);
-    Texels t{profile.color_bits, {}, {}};
-    TexelLevel level{rect.width,
-                     rect.height,
-                     std::countr_zero(unsigned(rect.width)),
-                     std::countr_zero(unsigned(rect.height)),
-                     {}};
+    Texels t{profile.color_bits};
+    t.add_level(rect.width, rect.height);
+    std::size_t next = 0;
     for (int y = rect.y; y < rect.y + rect.height; ++y)
         for (int x = rect.x; x < rect.x + rect.width; ++x) {
             const std::size_t i = planes.index(x, y);
             const auto grey =
                 std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
-            level.texels.push_back(command.plane == Plane::Color ? colors[i]
-                                                                 : Rgba{grey, grey, grey, grey});
+            t.set(next++, command.plane == Plane::Color ? colors[i] : Rgba{grey, grey, grey, grey});
             if (command.plane == Plane::Depth) t.depths.push_back(planes.depth[i]);
         }
-    t.levels.push_back(std::move(level));
     return t;
 }
 

@@ -56,7 +56,7 @@ Rgba raster_texel(const vec4& strq, const Texels& texels, const Resolved& r, int
               v = texel_position(strq.y / q, level.log2_height);
     const Addressing how = addressing(r.state.texture, texels, r.border_color);
     if (!r.state.texture.shadow_compare)
-        return lookup(level, is_linear(r.state.texture, true), how, u, v, texels.bits);
+        return lookup(texels, level, is_linear(r.state.texture, true), how, u, v);
     const auto incoming =
         to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits));
     const int i = wrap_index(how.wrap_s, u >> 8, level.width),
