@@ -42,10 +42,11 @@ Position position_of(int i, int from, int to) {
 TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba) {
     TextureLevel level{next_power_of_two(width), next_power_of_two(height), {}};
     if (level.width == width && level.height == height) {
-        level.rgba.assign(rgba.begin(), rgba.end());
+        level.rgba = std::vector(rgba.begin(), rgba.end());
         return level;
     }
-    level.rgba.reserve(std::size_t{4} * std::size_t(level.width) * std::size_t(level.height));
+    std::vector<std::uint16_t>& out = level.rgba.edit();
+    out.reserve(std::size_t{4} * std::size_t(level.width) * std::size_t(level.height));
     const std::uint64_t parts_x = 2 * static_cast<std::uint64_t>(level.width);
     const std::uint64_t parts_y = 2 * static_cast<std::uint64_t>(level.height);
     for (int y = 0; y < level.height; ++y)
@@ -62,8 +63,8 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
                 };
                 const std::uint64_t sum =
                     along(py.low) * (parts_y - py.weight) + along(py.high) * py.weight;
-                level.rgba.push_back(static_cast<std::uint16_t>((sum + parts_x * parts_y / 2) /
-                                                                (parts_x * parts_y)));
+                out.push_back(static_cast<std::uint16_t>((sum + parts_x * parts_y / 2) /
+                                                         (parts_x * parts_y)));
             }
         }
     return level;
@@ -73,6 +74,7 @@ TextureLevel resample(int width, int height, std::span<const std::uint16_t> rgba
 // the same formula.
 TextureLevel half(const TextureLevel& level) {
     TextureLevel result{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
+    std::vector<std::uint16_t>& out = result.rgba.edit();
     const int dx = level.width > 1, dy = level.height > 1;
     for (int y = 0; y < result.height; ++y)
         for (int x = 0; x < result.width; ++x)
@@ -83,7 +85,7 @@ TextureLevel half(const TextureLevel& level) {
                 const int column = x << dx, row = y << dy;
                 const unsigned sum = texel(column, row) + texel(column + dx, row) +
                                      texel(column, row + dy) + texel(column + dx, row + dy);
-                result.rgba.push_back(static_cast<std::uint16_t>((sum + 2) / 4));
+                out.push_back(static_cast<std::uint16_t>((sum + 2) / 4));
             }
     return result;
 }
@@ -117,15 +119,17 @@ void check_levels(const Texture& t) {
 }
 
 template <TextureFormat format>
-void complete(std::vector<std::uint16_t>& rgba) {
+void complete(std::span<std::uint16_t> rgba) {
     for (std::size_t i = 0; i < rgba.size(); i += 4) {
         std::uint16_t* const t = &rgba[i];
         const Rgba texel = completed(format, {t[0], t[1], t[2], t[3]}, 65535);
         for (std::size_t c = 0; c < 4; ++c) t[c] = texel[c];
     }
 }
-/// Gives all texels the channels that the format lacks.
-void complete(TextureFormat format, std::vector<std::uint16_t>& rgba) {
+
+}  // namespace
+
+void complete(TextureFormat format, std::span<std::uint16_t> rgba) {
     switch (format) {
         case TextureFormat::RGBA: return;
         case TextureFormat::RGB: return complete<TextureFormat::RGB>(rgba);
@@ -136,13 +140,32 @@ void complete(TextureFormat format, std::vector<std::uint16_t>& rgba) {
     }
 }
 
-}  // namespace
+TextureHistory TextureHistory::begin() {
+    TextureHistory history;
+    history.origin_ = std::make_shared<const char>();
+    return history;
+}
 
-TextureRef make_texture(Texture given) {
+void TextureHistory::replace(const TexturePart& part) {
+    constexpr std::size_t most = 64;
+    if (parts_.size() == most) parts_.erase(parts_.begin(), parts_.begin() + most / 2);
+    parts_.push_back(part);
+    ++number_;
+}
+
+TextureRef share_texture(Texture given) {
     given.given_levels = true;
     check_levels(given);
-    for (TextureLevel& level : given.levels) complete(given.format, level.rgba);
+    if (given.history.is_empty()) given.history = TextureHistory::begin();
     return std::make_shared<const Texture>(std::move(given));
+}
+
+TextureRef make_texture(Texture given) {
+    check_levels(given);
+    for (TextureLevel& level : given.levels)
+        if (given.format != TextureFormat::RGBA) complete(given.format, level.rgba.edit());
+    given.history = {};
+    return share_texture(std::move(given));
 }
 
 TextureRef make_texture(std::string name, int width, int height,
@@ -150,6 +173,7 @@ TextureRef make_texture(std::string name, int width, int height,
     check(name, width, height, rgba.size());
     auto texture = std::make_shared<Texture>();
     texture->name = std::move(name);
+    texture->history = TextureHistory::begin();
     texture->levels.push_back(resample(width, height, rgba));
     while (texture->levels.back().width > 1 || texture->levels.back().height > 1)
         texture->levels.push_back(half(texture->levels.back()));

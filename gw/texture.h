@@ -2,9 +2,11 @@
 // Does not read files (image/ does) and does not filter (the machines do).
 #pragma once
 
+#include "gw/base/shared_value.h"
 #include "gw/base/types.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,11 +14,26 @@
 
 namespace gw {
 
+/// The values of a level's texels. Copies share them until one of them is edited.
+class TexelValues : public SharedValue<std::vector<std::uint16_t>> {
+public:
+    TexelValues() = default;
+    TexelValues(std::vector<std::uint16_t> values) : SharedValue(std::move(values)) {}
+    TexelValues(std::initializer_list<std::uint16_t> values)
+        : TexelValues(std::vector<std::uint16_t>(values)) {}
+
+    std::size_t size() const { return (*this)->size(); }
+    const std::uint16_t* data() const { return (*this)->data(); }
+    const std::uint16_t& operator[](std::size_t i) const { return (**this)[i]; }
+    auto begin() const { return (*this)->begin(); }
+    auto end() const { return (*this)->end(); }
+};
+
 /// One level. A texel has 4 channels of 16 bits, which represent 0 .. 1; an 8-bit channel v is
 /// stored as 257 v. Row 0 is t = 0 (bottom), column 0 is s = 0.
 struct TextureLevel {
     int width = 1, height = 1;  ///< powers of two
-    std::vector<std::uint16_t> rgba;
+    TexelValues rgba;
     bool operator==(const TextureLevel&) const = default;
 };
 
@@ -31,6 +48,39 @@ enum class TextureFormat : std::uint8_t {
     Intensity,       ///< R = G = B = A
 };
 
+/// A rectangle of the texels that a level stores.
+struct TexturePart {
+    int level = 0;
+    Rect rect;
+};
+
+/// Textures of one origin follow from each other: each replaces parts of the one before. So a machine
+/// brings up to date what it keeps of an earlier one.
+class TextureHistory {
+public:
+    bool is_empty() const { return !origin_; }
+    /// A history of no other texture.
+    static TextureHistory begin();
+    void replace(const TexturePart& part);
+
+    std::weak_ptr<const void> origin() const { return origin_; }
+    const void* address() const { return origin_.get(); }
+    /// Counts the parts that were replaced.
+    std::uint64_t number() const { return number_; }
+    /// Whether the parts that were replaced since a number are known, and these.
+    bool knows_since(std::uint64_t number) const {
+        return number <= number_ && number_ - number <= parts_.size();
+    }
+    std::span<const TexturePart> since(std::uint64_t number) const {
+        return std::span(parts_).last(number_ - number);
+    }
+
+private:
+    std::shared_ptr<const void> origin_;
+    std::uint64_t number_ = 0;
+    std::vector<TexturePart> parts_;  ///< the last ones
+};
+
 /// Levels from the given image down to 1x1, or as they were given.
 struct Texture {
     std::string name;  ///< for messages and printed passes; not part of its value
@@ -39,6 +89,7 @@ struct Texture {
     int dimensions = 2;         ///< 1: t is 0, the height 1
     bool border = false;        ///< levels have a texel more on each side (1D: left and right)
     bool given_levels = false;  ///< levels do not follow from the first
+    TextureHistory history;     ///< not part of its value
 
     int width() const { return levels.front().width; }
     int height() const { return levels.front().height; }
@@ -78,8 +129,14 @@ TextureRef make_texture(std::string name, int width, int height,
 /// lacks are taken from R (luminance, intensity) or replaced. Throws Error where sizes do not fit.
 TextureRef make_texture(Texture given);
 
-/// The same from 8-bit texels.
+/// A texture of one image, as above, from 8-bit texels.
 TextureRef make_texture8(std::string name, int width, int height,
                          std::span<const std::uint8_t> rgba);
+
+/// A texture of given levels whose texels have all channels: `given.levels` are shared, and its history goes on.
+TextureRef share_texture(Texture given);
+
+/// Gives texels the channels that the format lacks.
+void complete(TextureFormat format, std::span<std::uint16_t> rgba);
 
 }  // namespace gw

@@ -170,8 +170,9 @@ TextureRef any_given_texture(Random& r) {
         const int more = t.border ? 2 : 0;
         const int texels = (width + more) * (height + (t.dimensions == 1 ? 0 : more));
         const bool noise = r.chance(60);
+        std::vector<std::uint16_t>& rgba = level.rgba.edit();
         for (int i = 0; i < 4 * texels; ++i)
-            level.rgba.push_back(std::uint16_t(noise ? r.bits(16) : 257 * r.pick({0, 128, 255})));
+            rgba.push_back(std::uint16_t(noise ? r.bits(16) : 257 * r.pick({0, 128, 255})));
         t.levels.push_back(std::move(level));
         if (width == 1 && height == 1) break;
         width = std::max(1, width / 2);

@@ -14,14 +14,15 @@ class Drawable;
 
 /// Why a drawable's commands are executed. All but the first are barriers: the frame is not whole.
 enum class Cause : std::uint8_t {
-    Shown,   ///< the frame is shown
-    Flush,   ///< Flush or Finish, and nothing is shown
-    Read,    ///< pixels are read
-    Copy,    ///< pixels are copied
-    Switch,  ///< the thread gets another context
-    Full,    ///< the frame has too many vertices, commands, or bytes of images
+    Shown,    ///< the frame is shown
+    Flush,    ///< Flush or Finish, and nothing is shown
+    Read,     ///< pixels are read
+    Copy,     ///< pixels are copied
+    Switch,   ///< the thread gets another context
+    Texture,  ///< a small part of a large texture that it draws is replaced
+    Full,     ///< the frame has too many vertices, commands, or bytes of images
 };
-inline constexpr int cause_count = 6;
+inline constexpr int cause_count = 7;
 
 struct Execution {
     const CommandList& list;

@@ -48,13 +48,13 @@ TextureRef enabled_texture(Context& c) {
     const std::size_t target = enable[1] ? 1 : 0;
     TextureObject& object = *c.textures.bound[target];
     TextureRef texture;
-    bool is_new = false;
+    std::size_t new_bytes = 0;
     {
         const auto lock = c.shared->exclusive();
-        is_new = object.changed;
         texture = machine_texture(object, target, c.profile);
+        if (texture) new_bytes = std::exchange(object.new_bytes, 0);
     }
-    if (texture && is_new && c.drawable != nullptr) c.drawable->hold(byte_count(*texture));
+    if (new_bytes != 0 && c.drawable != nullptr) c.drawable->hold(new_bytes);
     return texture;
 }
 

@@ -136,7 +136,7 @@ void get_tex_level(Context& c, GLenum target, GLint level, GLenum pname, T* para
 
 /// [GL11] 6.1.4: the channels that the format has, the others 0, and alpha 1.
 vec4 texel_color(const TextureImage& image, std::size_t i) {
-    const auto channel = [&](std::size_t k) { return float(image.texels[i][k]) / 65535; };
+    const auto channel = [&](std::size_t k) { return float(image.texels[4 * i + k]) / 65535; };
     switch (base_format(image.internal_format)) {
         case GL_ALPHA: return {0, 0, 0, channel(3)};
         case GL_INTENSITY:
@@ -266,8 +266,9 @@ void get_tex_image(Context& c, GLenum target, GLint level, GLenum format, GLenum
     // [GL11] 6.1.4: no pixel transfer. Luminance is R, not the sum that ReadPixels makes.
     const bool is_luminance = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
     std::vector<vec4> colors;
-    colors.reserve(image.texels.size());
-    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+    const std::size_t count = image.texels.size() / 4;
+    colors.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const vec4 texel = texel_color(image, i);
         colors.push_back(is_luminance ? vec4{texel.x, 0, 0, texel.w} : texel);
     }

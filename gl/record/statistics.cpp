@@ -16,8 +16,13 @@ namespace gw::gl {
 
 namespace {
 
-constexpr const char* cause_names[cause_count] = {
-    "", "flush", "pixels read", "pixels copied", "context switch", "frame too large"};
+constexpr const char* cause_names[cause_count] = {"",
+                                                  "flush",
+                                                  "pixels read",
+                                                  "pixels copied",
+                                                  "context switch",
+                                                  "texture replaced",
+                                                  "frame too large"};
 
 std::string row(const std::string& name, const Spread& spread, std::uint64_t frames, int digits) {
     return fmt::format("{:<26}{:>14.{}f}{:>14.{}f}{:>14.{}f}\n", name, spread.least, digits,

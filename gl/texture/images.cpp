@@ -61,23 +61,19 @@ GLenum request_error(const Request& r, std::size_t target) {
 /// Texels keep 16 bits a channel.
 constexpr int texel_bits = 16;
 
-/// Puts colours in their place; all four channels, whatever the format keeps of them.
-void store_texels(TextureImage& image, const Rect& rect, const std::vector<Rgba>& colors) {
-    const Rgba* from = colors.data();
-    for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width)
-        std::copy_n(from, rect.width, &image.texels[pixel_index(rect.x, y, image.width)]);
-}
-
-/// Replaces an image.
-void set_image(Context& c, const Place& place, const Request& r, std::vector<Rgba> texels) {
+/// Replaces an image. `colors` have all four channels, whatever the format keeps of them.
+void set_image(Context& c, const Place& place, const Request& r, const std::vector<Rgba>& colors) {
     begin_change(c);
     TextureImage image{.internal_format = r.internal_format};
-    if (r.width != 0 && r.height != 0)
-        image = {r.width, r.height, r.border, r.internal_format, std::move(texels)};
+    if (r.width != 0 && r.height != 0) {
+        image = {r.width, r.height, r.border, r.internal_format, {}};
+        std::vector<std::uint16_t>& texels = image.texels.edit();
+        const std::uint16_t* const values = colors.front().data();
+        texels.assign(values, values + 4 * colors.size());
+        complete(machine_format(r.internal_format), texels);
+    }
     const auto lock = c.shared->exclusive();
-    TextureObject& object = *c.textures.bound[place.index];
-    object.levels[std::size_t(r.level)] = std::move(image);
-    object.changed = true;
+    c.textures.bound[place.index]->set_image(std::size_t(r.level), std::move(image));
 }
 
 /// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
@@ -103,42 +99,62 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     set_image(c, *place, r, host_rgba(c, r.width, r.height, format, type, host, texel_bits));
 }
 
-/// The image whose part a call replaces; null, and the error is set: there is none, or the part is
-/// not inside it. Offsets count from inside the border.
-TextureImage* replaced_image(Context& c, GLenum target, GLint level, const Rect& part) {
+/// The part of a bound object's level that a call replaces.
+struct Part {
+    TextureObject& object;
+    std::size_t level;
+    Rect rect;  ///< counts from the border
+};
+
+/// None, and the error is set: there is no image, or the part is not inside it. Offsets count from
+/// inside the border.
+std::optional<Part> replaced_part(Context& c, GLenum target, GLint level, const Rect& part) {
     const auto index = target_index(target);
-    if (!index) return set_error(c, GL_INVALID_ENUM), nullptr;
-    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE), nullptr;
-    TextureImage& image = c.textures.bound[*index]->levels[std::size_t(level)];
-    if (image.width == 0) return set_error(c, GL_INVALID_OPERATION), nullptr;
+    if (!index) return set_error(c, GL_INVALID_ENUM), std::nullopt;
+    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE), std::nullopt;
+    TextureObject& object = *c.textures.bound[*index];
+    const TextureImage& image = object.levels[std::size_t(level)];
+    if (image.width == 0) return set_error(c, GL_INVALID_OPERATION), std::nullopt;
     const auto inside = [&](std::int64_t at, std::int64_t size, int whole, int border) {
         return size >= 0 && at >= -border && at + size <= whole - border;
     };
     const int border_t = *index == 0 ? 0 : image.border;
     if (!inside(part.x, part.width, image.width, image.border) ||
         !inside(part.y, part.height, image.height, border_t))
-        return set_error(c, GL_INVALID_VALUE), nullptr;
-    return &image;
+        return set_error(c, GL_INVALID_VALUE), std::nullopt;
+    return Part{object,
+                std::size_t(level),
+                {part.x + image.border, part.y + border_t, part.width, part.height}};
 }
 
-void replace_part(Context& c, GLenum target, TextureImage& image, Rect part,
-                  const std::vector<Rgba>& colors) {
+/// A frame that draws with the texels keeps them as they are, so that they would be copied. If they
+/// are many and the part is small, it costs less to execute the frame.
+void release_texels(Context& c, const Part& part) {
+    constexpr std::size_t many = 512 * 512;
+    const std::size_t texels = part.object.levels[part.level].texels.size() / 4;
+    if (texels < many || 4 * part.rect.area() > texels || c.drawable == nullptr) return;
+    {
+        const auto lock = c.shared->exclusive();
+        if (part.object.is_alone(part.level)) return;
+    }
+    c.drawable->flush(Cause::Texture);
+}
+
+void replace(Context& c, const Part& part, const std::vector<Rgba>& colors) {
+    if (part.rect.area() == 0) return;
     begin_change(c);
-    part.x += image.border;
-    part.y += target == GL_TEXTURE_1D ? 0 : image.border;
+    release_texels(c, part);
     const auto lock = c.shared->exclusive();
-    store_texels(image, part, colors);
-    c.textures.bound[*target_index(target)]->changed = true;
+    part.object.replace_part(part.level, part.rect, colors);
 }
 
-void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& part, GLenum format,
+void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& rect, GLenum format,
                    GLenum type, const HostImage& host) {
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
-    TextureImage* const image = replaced_image(c, target, level, part);
-    if (image == nullptr || !host.is_given()) return;
-    replace_part(c, target, *image, part,
-                 host_rgba(c, part.width, part.height, format, type, host, texel_bits));
+    const std::optional<Part> part = replaced_part(c, target, level, rect);
+    if (!part || !host.is_given()) return;
+    replace(c, *part, host_rgba(c, rect.width, rect.height, format, type, host, texel_bits));
 }
 
 /// The drawable's pixels after transfer.
@@ -158,10 +174,10 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     set_image(c, {*index, false}, r, copied_colors(c, {x, y, r.width, r.height}));
 }
 
-void copy_part(Context& c, GLenum target, GLint level, const Rect& part, GLint x, GLint y) {
-    TextureImage* const image = replaced_image(c, target, level, part);
-    if (image == nullptr || c.read_drawable == nullptr || part.area() == 0) return;
-    replace_part(c, target, *image, part, copied_colors(c, {x, y, part.width, part.height}));
+void copy_part(Context& c, GLenum target, GLint level, const Rect& rect, GLint x, GLint y) {
+    const std::optional<Part> part = replaced_part(c, target, level, rect);
+    if (!part || c.read_drawable == nullptr || rect.area() == 0) return;
+    replace(c, *part, copied_colors(c, {x, y, rect.width, rect.height}));
 }
 
 }  // namespace

@@ -30,17 +30,6 @@ int complete_levels(const TextureObject& object) {
     return level;
 }
 
-TextureFormat machine_format(GLint internal_format) {
-    switch (base_format(internal_format)) {
-        case GL_ALPHA: return TextureFormat::Alpha;
-        case GL_LUMINANCE: return TextureFormat::Luminance;
-        case GL_LUMINANCE_ALPHA: return TextureFormat::LuminanceAlpha;
-        case GL_INTENSITY: return TextureFormat::Intensity;
-        case GL_RGB: return TextureFormat::RGB;
-    }
-    return TextureFormat::RGBA;
-}
-
 /// For profiles with RGBA textures only: the first level without its border, its levels made by the
 /// machine.
 TextureRef plain_texture(const TextureImage& image) {
@@ -48,13 +37,11 @@ TextureRef plain_texture(const TextureImage& image) {
     const int height = image.height == 1 ? 1 : image.height - 2 * border;
     const int bottom = image.height == 1 ? 0 : border;
     std::vector<std::uint16_t> rgba;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const Rgba texel =
-                completed(machine_format(image.internal_format),
-                          image.texels[pixel_index(x + border, y + bottom, image.width)], 0xFFFF);
-            rgba.insert(rgba.end(), texel.begin(), texel.end());
-        }
+    for (int y = 0; y < height; ++y) {
+        const std::uint16_t* const row =
+            &image.texels[4 * pixel_index(border, y + bottom, image.width)];
+        rgba.insert(rgba.end(), row, row + 4 * width);
+    }
     return make_texture("", width, height, rgba);
 }
 
@@ -68,20 +55,17 @@ void make(TextureObject& object, std::size_t target, const Profile& profile) {
         object.made = plain_texture(first);
         return;
     }
-    Texture texture;
-    texture.format = machine_format(first.internal_format);
-    texture.dimensions = target == 0 ? 1 : 2;
-    texture.border = first.border != 0;
-    texture.given_levels = true;
+    if (object.history.is_empty()) object.history = TextureHistory::begin();
+    Texture texture{.format = machine_format(first.internal_format),
+                    .dimensions = target == 0 ? 1 : 2,
+                    .border = first.border != 0,
+                    .history = object.history};
     for (int level = 0; level < std::max(1, count); ++level) {
         const TextureImage& image = object.levels[std::size_t(level)];
         const int rows = target == 0 ? 1 : image.height - 2 * image.border;
-        const std::uint16_t* const first_value = image.texels.front().data();
-        texture.levels.push_back({image.width - 2 * image.border,
-                                  rows,
-                                  {first_value, first_value + 4 * image.texels.size()}});
+        texture.levels.push_back({image.width - 2 * image.border, rows, image.texels});
     }
-    object.made = make_texture(std::move(texture));
+    object.made = share_texture(std::move(texture));
 }
 
 }  // namespace
@@ -145,6 +129,45 @@ GLenum base_format(GLint internal_format) {
     return 0;
 }
 
+TextureFormat machine_format(GLint internal_format) {
+    switch (base_format(internal_format)) {
+        case GL_ALPHA: return TextureFormat::Alpha;
+        case GL_LUMINANCE: return TextureFormat::Luminance;
+        case GL_LUMINANCE_ALPHA: return TextureFormat::LuminanceAlpha;
+        case GL_INTENSITY: return TextureFormat::Intensity;
+        case GL_RGB: return TextureFormat::RGB;
+    }
+    return TextureFormat::RGBA;
+}
+
+void TextureObject::set_image(std::size_t level, TextureImage image) {
+    new_bytes += image.texels.size() * sizeof(std::uint16_t);
+    levels[level] = std::move(image);
+    history = {};
+    changed = true;
+}
+
+bool TextureObject::is_alone(std::size_t level) const {
+    return made ? gw::is_alone(made) : levels[level].texels.is_alone();
+}
+
+void TextureObject::replace_part(std::size_t level, const Rect& rect,
+                                 std::span<const Rgba> colors) {
+    made = nullptr;
+    TextureImage& image = levels[level];
+    if (!image.texels.is_alone()) new_bytes += image.texels.size() * sizeof(std::uint16_t);
+    std::vector<std::uint16_t>& texels = image.texels.edit();
+    const Rgba* from = colors.data();
+    for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width) {
+        const std::span to(&texels[4 * pixel_index(rect.x, y, image.width)],
+                           4 * std::size_t(rect.width));
+        std::copy_n(from->data(), to.size(), to.data());
+        complete(machine_format(image.internal_format), to);
+    }
+    if (!history.is_empty()) history.replace({int(level), rect});
+    changed = true;
+}
+
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile) {
     if (object.changed) {
         object.made = nullptr;
@@ -152,12 +175,6 @@ TextureRef machine_texture(TextureObject& object, std::size_t target, const Prof
         object.changed = false;
     }
     return object.made_with_levels || !uses_levels(object.parameters) ? object.made : nullptr;
-}
-
-std::size_t byte_count(const Texture& texture) {
-    std::size_t values = 0;
-    for (const TextureLevel& level : texture.levels) values += level.rgba.size();
-    return values * sizeof(std::uint16_t);
 }
 
 }  // namespace gw::gl

@@ -129,6 +129,12 @@ Texels make_texels(const Texture& texture, int bits, int texel_bits) {
     return t;
 }
 
+void update_texels(Texels& texels, const Texture& texture, const TexturePart& part,
+                   int texel_bits) {
+    const auto i = std::size_t(part.level);
+    round_part(texels, texels.levels[i], texture.levels[i], part.rect, texel_bits);
+}
+
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
                        std::uint32_t wx, std::uint32_t wy, int bits) {
     if (bits == 8) {  // two roundings of 15-bit products, for 16-bit lanes; error <= 0.516

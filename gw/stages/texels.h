@@ -46,6 +46,8 @@ struct Texels {
 
 /// Levels rounded from 16 bits to `texel_bits`, then to `bits`.
 Texels make_texels(const Texture& texture, int bits, int texel_bits);
+/// Takes a part over from a texture with the same levels.
+void update_texels(Texels& texels, const Texture& texture, const TexturePart& part, int texel_bits);
 
 /// A texel index folded into 0 .. size - 1.
 constexpr int wrap_index(Wrap wrap, int i, int size) {

@@ -151,6 +151,10 @@ Parts difference(const std::string& name, const std::vector<T>& a, const std::ve
     return DifferentPart{fmt::format("{} {}", name, i - a.begin()), text(*i), text(*j)};
 }
 
+Parts difference(const std::string& name, const TexelValues& a, const TexelValues& b) {
+    return difference(name, *a, *b);
+}
+
 /// Of two of a kind, member by member.
 template <typename Struct>
 Parts difference(const Struct& a, const Struct& b) {

@@ -58,12 +58,12 @@ Digest content(const Texture& texture) {
     Hasher hasher;
     hasher.add_number(std::uint64_t(level.width));
     hasher.add_number(std::uint64_t(level.height));
-    hasher.add(level.rgba);
+    hasher.add(*level.rgba);
     if (!texture.given_levels) return hasher.finish();
     hasher.add_number(std::uint64_t(texture.format));
     hasher.add_number(std::uint64_t(texture.dimensions));
     hasher.add_number(texture.border ? 1 : 0);
-    for (const TextureLevel& l : texture.levels) hasher.add(l.rgba);
+    for (const TextureLevel& l : texture.levels) hasher.add(*l.rgba);
     return hasher.finish();
 }
 

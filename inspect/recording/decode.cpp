@@ -205,9 +205,10 @@ TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::
                                  (std::size_t(level.height) + (t.dimensions() == 1 ? 0 : more));
         if (size > values - next)
             throw Error(fmt::format("level {} of {} values; {} are left", i, size, values - next));
+        std::vector<std::uint16_t>& rgba = level.rgba.edit();
         for (const std::size_t end = next + size; next < end; ++next)
-            level.rgba.push_back(texels8.empty() ? texels16[next]
-                                                 : static_cast<std::uint16_t>(257 * texels8[next]));
+            rgba.push_back(texels8.empty() ? texels16[next]
+                                           : static_cast<std::uint16_t>(257 * texels8[next]));
         texture.levels.push_back(std::move(level));
     }
     return make_texture(std::move(texture));

@@ -242,7 +242,7 @@ TEST_P(OpenGL, TextureFormatsAreWithinOneUnit) {
                 Texture t{
                     .name = "format", .levels = {{4, 4, {}}}, .format = TextureFormat(format)};
                 for (int i = 0; i < 64; ++i)
-                    t.levels[0].rgba.push_back(std::uint16_t(257 * random.between(0, 255)));
+                    t.levels[0].rgba.edit().push_back(std::uint16_t(257 * random.between(0, 255)));
                 State state = window_state();
                 state.texture = {.mag_filter = MagFilter::Nearest,
                                  .wrap_s = wrap,

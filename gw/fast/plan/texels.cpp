@@ -19,6 +19,8 @@ struct Span {
     int first, end;
 };
 
+Span clipped(Span a, Span to) { return {std::max(a.first, to.first), std::min(a.end, to.end)}; }
+
 /// A level's pairs.
 class LevelPairs {
 public:
@@ -34,6 +36,22 @@ public:
     }
     /// Makes all of them, from `out` on.
     void make(TexelPair* out) const { make(out, all_rows_, all_columns_); }
+    /// Makes those that have texels of a rectangle, which may reach into the border. What lies beside
+    /// a side may repeat texels of any side.
+    void make_around(TexelPair* out, const Rect& rect) const {
+        const bool at_side = rect.x <= 0 || rect.x + rect.width >= level_.width || rect.y <= 0 ||
+                             rect.y + rect.height >= level_.height;
+        const Span rows = clipped({rect.y - 1, rect.y + rect.height}, all_rows_),
+                   columns = clipped({rect.x, rect.x + rect.width}, all_columns_);
+        make(out, rows, columns);
+        if (!at_side) return;
+        const Span below{all_rows_.first, std::min(all_rows_.first + 1, rows.first)},
+            above{std::max(all_rows_.end - 1, rows.end), all_rows_.end};
+        for (const Span& r : {below, above}) make(out, r, all_columns_);
+        const Span left{all_columns_.first, std::min(all_columns_.first + 1, columns.first)},
+            right{std::max(all_columns_.end - 1, columns.end), all_columns_.end};
+        for (const Span& c : {left, right}) make(out, rows, c);
+    }
 
 private:
     int row_length() const { return all_columns_.end - all_columns_.first; }
@@ -72,6 +90,21 @@ FastTexels make_fast_texels(Texels texels) {
         f.first[i] = std::int32_t(texels.levels[i].first);
     f.texels = std::move(texels);
     return f;
+}
+
+void update(FastTexels& fast, const Texture& texture, std::span<const TexturePart> parts,
+            int texel_bits) {
+    const int border = texture.border ? 1 : 0, border_t = texture.dimensions == 2 ? border : 0;
+    for (const TexturePart& part : parts) {
+        const auto i = std::size_t(part.level);
+        if (i >= texture.levels.size() || part.rect.area() == 0) continue;
+        update_texels(fast.texels, texture, part, texel_bits);
+        const Rect inner{part.rect.x - border, part.rect.y - border_t, part.rect.width,
+                         part.rect.height};
+        for (TexelPairs& p : fast.pairs)
+            LevelPairs(fast.texels, fast.texels.levels[i], p.how)
+                .make_around(&p.pairs[std::size_t(p.first[i])], inner);
+    }
 }
 
 const TexelPairs* texel_pairs(FastTexels& fast, Addressing how) {

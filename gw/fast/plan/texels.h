@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <vector>
 
 namespace gw::fast {
@@ -32,6 +33,10 @@ struct FastTexels {
 };
 
 FastTexels make_fast_texels(Texels texels);
+
+/// Takes parts over from a texture with the same levels, into the pairs too.
+void update(FastTexels& texels, const Texture& texture, std::span<const TexturePart> parts,
+            int texel_bits);
 
 /// The texture's pairs; null if it has more than 8 bits, or already pairs with many border colours.
 const TexelPairs* texel_pairs(FastTexels& texels, Addressing how);

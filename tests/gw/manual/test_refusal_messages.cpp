@@ -334,7 +334,7 @@ std::vector<std::string> refused_values() {
         given([](Texture& t) {
             t.levels.push_back({2, 1, std::vector<std::uint16_t>(8)});
         }),
-        given([](Texture& t) { t.levels[0].rgba.resize(8); }),
+        given([](Texture& t) { t.levels[0].rgba.edit().resize(8); }),
     };
 }
 

@@ -198,10 +198,9 @@ TEST(ManualTexture, ShadowsByComparison) {
 Texture levels_of(const std::vector<std::array<std::uint16_t, 4>>& values, int side) {
     Texture t{.name = "levels"};
     for (const auto& value : values) {
-        TextureLevel level{side, side, {}};
-        for (int i = 0; i < side * side; ++i)
-            level.rgba.insert(level.rgba.end(), value.begin(), value.end());
-        t.levels.push_back(std::move(level));
+        std::vector<std::uint16_t> rgba;
+        for (int i = 0; i < side * side; ++i) rgba.insert(rgba.end(), value.begin(), value.end());
+        t.levels.push_back({side, side, std::move(rgba)});
         side = std::max(1, side / 2);
     }
     return t;
@@ -268,8 +267,9 @@ TEST(ManualTexture, TheBorder) {
         Texture t = levels_of({{0, 0, 0, full}}, 1);
         if (border) {
             t.border = true;
-            t.levels[0].rgba.assign(std::size_t{9} * 4, full);
-            std::fill_n(t.levels[0].rgba.begin() + 4 * 4, 3, std::uint16_t{0});
+            std::vector<std::uint16_t> rgba(std::size_t{9} * 4, full);
+            std::fill_n(rgba.begin() + 4 * 4, 3, std::uint16_t{0});
+            t.levels[0].rgba = std::move(rgba);
         }
         TextureState s{.wrap_s = wrap, .wrap_t = Wrap::Clamp, .env = TexEnv::Replace};
         s.border_color = {0.5f, 0, 0, 1};
