@@ -21,7 +21,7 @@ constexpr T component_of_one = std::is_integral_v<T> ? std::numeric_limits<T>::m
 /// Channels from pixels of Count components. From: the components of R, G, B, A; Count: 1, Count + 1:
 /// 0.
 template <class T, std::size_t Count, std::size_t... From>
-bool convert(std::span<const std::byte> bytes, const auto& channel_of, std::vector<Rgba>& out) {
+bool convert(std::span<const std::byte> bytes, const auto& channel_of, std::span<Rgba> out) {
     const std::uint16_t one = channel_of(component_of_one<T>);
     const std::byte* from = bytes.data();
     for (Rgba& pixel : out) {
@@ -39,8 +39,7 @@ bool convert(std::span<const std::byte> bytes, const auto& channel_of, std::vect
 
 /// R, G, B, A: components one by one.
 template <class T>
-bool convert_rgba(std::span<const std::byte> bytes, const auto& channel_of,
-                  std::vector<Rgba>& out) {
+bool convert_rgba(std::span<const std::byte> bytes, const auto& channel_of, std::span<Rgba> out) {
     std::uint16_t* const to = out.empty() ? nullptr : out.front().data();
     for (std::size_t i = 0; i < 4 * out.size(); ++i) {
         T component;
@@ -52,7 +51,7 @@ bool convert_rgba(std::span<const std::byte> bytes, const auto& channel_of,
 
 template <class T>
 bool convert(GLenum format, std::span<const std::byte> bytes, const auto& channel_of,
-             std::vector<Rgba>& out) {
+             std::span<Rgba> out) {
     switch (format) {
         case GL_RGBA: return convert_rgba<T>(bytes, channel_of, out);
         case GL_BGRA: return convert<T, 4, 2, 1, 0, 3>(bytes, channel_of, out);
@@ -68,7 +67,7 @@ bool convert(GLenum format, std::span<const std::byte> bytes, const auto& channe
 /// quantize() of a component's value, in order. No branch: a number plus 1.5 2^52 has its nearest
 /// integer in the lowest bits.
 template <class T>
-bool quantized(GLenum format, std::span<const std::byte> bytes, int bits, std::vector<Rgba>& out) {
+bool quantized(GLenum format, std::span<const std::byte> bytes, int bits, std::span<Rgba> out) {
     const double max = double(max_of_bits(bits));
     const auto channel_of = [max](T component) {
         float value;
@@ -84,7 +83,7 @@ bool quantized(GLenum format, std::span<const std::byte> bytes, int bits, std::v
 
 /// Integers that are multiplied: unsigned ones of as many bits as colours, or half as many.
 template <class T>
-bool multiplied(GLenum format, std::span<const std::byte> bytes, int bits, std::vector<Rgba>& out) {
+bool multiplied(GLenum format, std::span<const std::byte> bytes, int bits, std::span<Rgba> out) {
     const auto factor = std::uint16_t(max_of_bits(bits) / std::numeric_limits<T>::max());
     return convert<T>(
         format, bytes, [factor](T v) { return std::uint16_t(v * factor); }, out);
@@ -110,7 +109,7 @@ bool swap_red_and_blue(std::span<const std::uint32_t> words, std::byte* out) {
 }  // namespace
 
 bool plain_colors(GLenum format, GLenum type, std::span<const std::byte> bytes, int bits,
-                  std::vector<Rgba>& out) {
+                  std::span<Rgba> out) {
     switch (type) {
         case GL_BYTE: return quantized<GLbyte>(format, bytes, bits, out);
         case GL_UNSIGNED_BYTE:

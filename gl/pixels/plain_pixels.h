@@ -7,13 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace gw::gl {
 
 /// The colours of as many pixels as `out` has. False: the format or type is none of these.
 bool plain_colors(GLenum format, GLenum type, std::span<const std::byte> bytes, int bits,
-                  std::vector<Rgba>& out);
+                  std::span<Rgba> out);
 /// The bytes of words, R in the lowest byte, in a format. `out` of GL_BGRA may be the words' memory.
 /// False: the format is none of these.
 bool pack_words(std::span<const std::uint32_t> words, GLenum format, std::byte* out);

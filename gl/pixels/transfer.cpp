@@ -170,33 +170,32 @@ GLuint transferred_stencil(const Context& c, double index) {
 
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits) {
-    const std::size_t pixels = std::size_t(width) * std::size_t(height);
-    std::vector<Rgba> out;
-    if (leaves_colors(c.state.pixel)) {
-        out.resize(pixels);
-        if (plain_colors(format, type, image.bytes, bits, out)) return out;
-    }
-    out.clear();
-    out.reserve(pixels);
-    if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || pixels < fewest_pixels) {
-        for_each_host_color(c, width, height, format, type, image,
-                            [&](const vec4& color) { out.push_back(quantize_color(color, bits)); });
-        return out;
-    }
+    std::vector<Rgba> out(std::size_t(width) * std::size_t(height));
+    store_host_rgba(c, width, height, format, type, image, bits, out);
+    return out;
+}
+
+void store_host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                     const HostImage& image, int bits, std::span<Rgba> out) {
+    if (leaves_colors(c.state.pixel) && plain_colors(format, type, image.bytes, bits, out)) return;
+    Rgba* to = out.data();
+    if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || out.size() < fewest_pixels)
+        return for_each_host_color(c, width, height, format, type, image,
+                                   [&](const vec4& color) { *to++ = quantize_color(color, bits); });
     const auto tables = quantized_bytes<std::uint16_t>(c, bits);
     const auto from = component_of_channel(format);
     const auto count = std::size_t(component_count(format));
     const std::byte* at = image.bytes.data();
     std::array<std::byte, 6> v{};
     v[5] = std::byte{255};
-    for (std::size_t i = 0; i < pixels; ++i, at += count) {
+    for (Rgba& pixel : out) {
         std::copy_n(at, count, v.data());
         const auto channel = [&](std::size_t k) {
             return tables[k][std::to_integer<std::size_t>(v[from[k]])];
         };
-        out.push_back({channel(0), channel(1), channel(2), channel(3)});
+        pixel = {channel(0), channel(1), channel(2), channel(3)};
+        at += count;
     }
-    return out;
 }
 
 std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,

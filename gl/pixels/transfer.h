@@ -26,6 +26,9 @@ GLuint transferred_stencil(const Context& c, double index);
 /// The pixels of an image after transfer, quantized to `bits` bits. Colour indices become colours.
 std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits);
+/// The same into `out`, which has as many pixels.
+void store_host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                     const HostImage& image, int bits, std::span<Rgba> out);
 std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image);
 std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,

@@ -61,19 +61,25 @@ GLenum request_error(const Request& r, std::size_t target) {
 /// Texels keep 16 bits a channel.
 constexpr int texel_bits = 16;
 
-/// Replaces an image. `colors` have all four channels, whatever the format keeps of them.
-void set_image(Context& c, const Place& place, const Request& r, const std::vector<Rgba>& colors) {
+/// The image of a request, all texels 0.
+TextureImage black_image(const Request& r) {
+    if (r.width == 0 || r.height == 0) return {.internal_format = r.internal_format};
+    const std::size_t texels = std::size_t(r.width) * std::size_t(r.height);
+    return {r.width, r.height, r.border, r.internal_format, std::vector<std::uint16_t>(4 * texels)};
+}
+
+/// The texels as colours.
+std::span<Rgba> colors_of(TextureImage& image) {
+    std::vector<std::uint16_t>& values = image.texels.edit();
+    return {reinterpret_cast<Rgba*>(values.data()), values.size() / 4};
+}
+
+/// Replaces an image. `image` has all four channels, whatever the format keeps of them.
+void set_image(Context& c, const Place& place, GLint level, TextureImage image) {
     begin_change(c);
-    TextureImage image{.internal_format = r.internal_format};
-    if (r.width != 0 && r.height != 0) {
-        image = {r.width, r.height, r.border, r.internal_format, {}};
-        std::vector<std::uint16_t>& texels = image.texels.edit();
-        const std::uint16_t* const values = colors.front().data();
-        texels.assign(values, values + 4 * colors.size());
-        complete(machine_format(r.internal_format), texels);
-    }
+    complete(machine_format(image.internal_format), image.texels.edit());
     const auto lock = c.shared->exclusive();
-    c.textures.bound[place.index]->set_image(std::size_t(r.level), std::move(image));
+    c.textures.bound[place.index]->set_image(std::size_t(level), std::move(image));
 }
 
 /// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
@@ -93,10 +99,10 @@ void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenu
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(c, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(c, error);
-    if (!host.is_given())
-        return set_image(c, *place, r,
-                         std::vector<Rgba>(std::size_t(r.width) * std::size_t(r.height)));
-    set_image(c, *place, r, host_rgba(c, r.width, r.height, format, type, host, texel_bits));
+    TextureImage image = black_image(r);
+    if (host.is_given())
+        store_host_rgba(c, r.width, r.height, format, type, host, texel_bits, colors_of(image));
+    set_image(c, *place, r.level, std::move(image));
 }
 
 /// The part of a bound object's level that a call replaces.
@@ -171,7 +177,9 @@ void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
     const GLenum error = request_error(r, *index);
     if (error != GL_NO_ERROR) return set_error(c, error);
     if (c.read_drawable == nullptr) return;
-    set_image(c, {*index, false}, r, copied_colors(c, {x, y, r.width, r.height}));
+    TextureImage image = black_image(r);
+    std::ranges::copy(copied_colors(c, {x, y, r.width, r.height}), colors_of(image).begin());
+    set_image(c, {*index, false}, r.level, std::move(image));
 }
 
 void copy_part(Context& c, GLenum target, GLint level, const Rect& rect, GLint x, GLint y) {
