@@ -39,6 +39,8 @@ public:
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         targets_ = std::exchange(next_targets_, {});
+        // Nobody else has these textures any more.
+        std::erase_if(texels_, [](const auto& kept) { return kept.first.use_count() == 1; });
         validate(list, profile_, planes_.width, planes_.height,
                  {state_, slot_planes_, targets_, pass_name(passes_)});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
