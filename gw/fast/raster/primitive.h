@@ -20,8 +20,8 @@ struct ColorPlanes {
     TilePlane color[4];  ///< numerators if `perspective`
     bool perspective = false;
     Rgba low{}, high{};  ///< of the corners, by channel
-    TilePlane q;    ///< denominator, if colour or fog needs one
-    TilePlane fog;  ///< factor, or numerator of the coordinate
+    TilePlane q;         ///< denominator, if colour or fog needs one
+    TilePlane fog;       ///< factor, or numerator of the coordinate
     float fog_scale = 1;
 };
 
