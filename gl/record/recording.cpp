@@ -39,12 +39,15 @@ void Recording::check(const char* what) {
 template <class Write>
 void Recording::attempt(Write write) {
     if (failed_) return;
+    errno = 0;
     try {
         write();
-        check("the file cannot be written");
+        if (!out_) throw Error("the file cannot be written");
     } catch (const std::exception& error) {
         failed_ = true;
-        std::fprintf(stderr, "gw: recording stopped: %s: %s\n", file_.c_str(), error.what());
+        const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : "";
+        std::fprintf(stderr, "gw: recording stopped: %s: %s%s\n", file_.c_str(), error.what(),
+                     reason.c_str());
     }
 }
 
