@@ -52,7 +52,9 @@ void KeptTextures::end_segment() {
 void KeptTextures::drop_old_versions() {
     for (const void* const origin : crowded_) {
         std::list<Version>& versions = all_[origin].versions;
-        const auto latest = std::ranges::max_element(versions, {}, &Version::number);
+        const auto latest = std::max_element(
+            versions.begin(), versions.end(),
+            [](const Version& a, const Version& b) { return a.number < b.number; });
         versions.splice(versions.begin(), versions, latest);
         versions.resize(1);
     }
