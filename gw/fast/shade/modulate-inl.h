@@ -112,7 +112,7 @@ struct ModulatedTexels {
         const auto times = [&](V32 a, V32 b) {
             return hn::BitCast(D32(), mul_bytes(d, hn::BitCast(d, a), hn::BitCast(d, b)));
         };
-        if (kept) mask = all_lanes;
+        if (kept) mask = all_lanes;  // kept blocks are whole
         for (std::size_t i = 0; i < parts; ++i) {
             if (!has_part(mask, i)) continue;
             const TexelWords texel =
