@@ -1,7 +1,7 @@
 // The engine's door to JavaScript (Embind). A method answers text; a refusal is {"error": why}.
 #include "gw/error.h"
 #include "hiddensurface/lines/line_algorithm.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 
 #include <emscripten/bind.h>
 
@@ -27,31 +27,31 @@ public:
     std::string add_picture(const std::string& path, int width, int height, int bits,
                             const std::string& texels) {
         return answered([&] {
-            bench_.add_picture(path, width, height, bits, texels);
+            session_.add_picture(path, width, height, bits, texels);
             return Json::object();
         });
     }
     std::string open(const std::string& path) {
-        return answered([&] { return bench_.open(path); });
+        return answered([&] { return session_.open(path); });
     }
-    /// A method of the bench from options to an answer.
+    /// A method of the session from options to an answer.
     template <auto method>
     std::string call(const std::string& options) {
-        return answered([&] { return (bench_.*method)(Json::parse(options)); });
+        return answered([&] { return (session_.*method)(Json::parse(options)); });
     }
     std::string play(const std::string& options, const std::string& steps) {
-        return answered([&] { return bench_.play(Json::parse(options), steps); });
+        return answered([&] { return session_.play(Json::parse(options), steps); });
     }
     /// A view of the engine's memory, until the next call.
-    emscripten::val picture() const { return view_of(bench_.picture()); }
-    emscripten::val change() const { return view_of(bench_.change()); }
-    emscripten::val difference() const { return view_of(bench_.difference()); }
+    emscripten::val picture() const { return view_of(session_.picture()); }
+    emscripten::val change() const { return view_of(session_.change()); }
+    emscripten::val difference() const { return view_of(session_.difference()); }
 
 private:
     static emscripten::val view_of(const std::vector<std::uint8_t>& bytes) {
         return emscripten::val(emscripten::typed_memory_view(bytes.size(), bytes.data()));
     }
-    Bench bench_;
+    LabSession session_;
 };
 
 /// [{"name", "title", "lines"}]
@@ -68,34 +68,34 @@ std::string algorithms() {
 }  // namespace gw::lab
 
 EMSCRIPTEN_BINDINGS(gw) {
-    using gw::lab::Bench;
     using gw::lab::Engine;
+    using gw::lab::LabSession;
     emscripten::class_<Engine>("Engine")
         .constructor<>()
         .function("add_picture", &Engine::add_picture)
         .function("open", &Engine::open)
-        .function("draw", &Engine::call<&Bench::draw>)
-        .function("manifest", &Engine::call<&Bench::manifest>)
-        .function("hidden", &Engine::call<&Bench::hidden>)
-        .function("passes", &Engine::call<&Bench::passes>)
-        .function("plane", &Engine::call<&Bench::plane>)
-        .function("history", &Engine::call<&Bench::history>)
-        .function("pixel", &Engine::call<&Bench::pixel>)
-        .function("volumes", &Engine::call<&Bench::volumes>)
-        .function("polygons", &Engine::call<&Bench::polygons>)
-        .function("light", &Engine::call<&Bench::light>)
-        .function("lit", &Engine::call<&Bench::lit>)
-        .function("pixmap", &Engine::call<&Bench::pixmap>)
-        .function("hemicube", &Engine::call<&Bench::hemicube>)
-        .function("rays", &Engine::call<&Bench::rays>)
-        .function("raytraced", &Engine::call<&Bench::raytraced>)
-        .function("identifiers", &Engine::call<&Bench::identifiers>)
-        .function("reasons", &Engine::call<&Bench::reasons>)
-        .function("path", &Engine::call<&Bench::path>)
-        .function("outside", &Engine::call<&Bench::outside>)
-        .function("cast", &Engine::call<&Bench::cast>)
-        .function("visits", &Engine::call<&Bench::visits>)
-        .function("inside", &Engine::call<&Bench::inside>)
+        .function("draw", &Engine::call<&LabSession::draw>)
+        .function("manifest", &Engine::call<&LabSession::manifest>)
+        .function("hidden", &Engine::call<&LabSession::hidden>)
+        .function("passes", &Engine::call<&LabSession::passes>)
+        .function("plane", &Engine::call<&LabSession::plane>)
+        .function("history", &Engine::call<&LabSession::history>)
+        .function("pixel", &Engine::call<&LabSession::pixel>)
+        .function("volumes", &Engine::call<&LabSession::volumes>)
+        .function("polygons", &Engine::call<&LabSession::polygons>)
+        .function("light", &Engine::call<&LabSession::light>)
+        .function("lit", &Engine::call<&LabSession::lit>)
+        .function("pixmap", &Engine::call<&LabSession::pixmap>)
+        .function("hemicube", &Engine::call<&LabSession::hemicube>)
+        .function("rays", &Engine::call<&LabSession::rays>)
+        .function("raytraced", &Engine::call<&LabSession::raytraced>)
+        .function("identifiers", &Engine::call<&LabSession::identifiers>)
+        .function("reasons", &Engine::call<&LabSession::reasons>)
+        .function("path", &Engine::call<&LabSession::path>)
+        .function("outside", &Engine::call<&LabSession::outside>)
+        .function("cast", &Engine::call<&LabSession::cast>)
+        .function("visits", &Engine::call<&LabSession::visits>)
+        .function("inside", &Engine::call<&LabSession::inside>)
         .function("play", &Engine::play)
         .function("picture", &Engine::picture)
         .function("change", &Engine::change)

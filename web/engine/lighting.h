@@ -1,4 +1,4 @@
-// Radiosity at the bench [F]: a scene that is solved shot by shot, and changed while it is solved.
+// Radiosity [F]: a scene that is solved shot by shot, and changed while it is solved.
 // A state is named by its options, so that a link leads to it again:
 //   hemicube  pixels across
 //   shots     how many have been shot

@@ -1,6 +1,6 @@
-// A scene for rays at the bench [K4, L9], without superposed effects, as `gw compare` draws it: the
-// passes of eq. 5 with their item buffer, the ordinary ray tracer, and the path of one ray. What no
-// eye changes is kept from eye to eye. Does not shade or trace: itembuffer/ and raytrace/ do.
+// A scene for rays [K4, L9], without superposed effects, as `gw compare` draws it: the passes of
+// eq. 5 with their item buffer, the ordinary ray tracer, and the path of one ray. Keeps what does not
+// depend on the eye. Does not shade or trace: itembuffer/ and raytrace/ do.
 #pragma once
 
 #include "itembuffer/render.h"

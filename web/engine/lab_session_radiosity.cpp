@@ -1,8 +1,8 @@
-// Radiosity at the bench: states of the light, and pictures of them.
+// Radiosity: states of the light, and pictures of them.
 #include "gw/base/elementary.h"
 #include "gw/error.h"
 #include "radiosity/display/display.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::uint16_t value16(double v) {
 
 }  // namespace
 
-Json Bench::light(const Json& options) {
+Json LabSession::light(const Json& options) {
     auto& lighting = lightings_.at(options.value("anew", false) ? 1 : 0);
     if (!lighting || !lighting->go_on(options)) {
         lighting.reset();
@@ -37,13 +37,13 @@ Json Bench::light(const Json& options) {
     return lighting->facts(options);
 }
 
-const Lighting& Bench::lighting_of(const Json& options) const {
+const Lighting& LabSession::lighting_of(const Json& options) const {
     const auto& lighting = lightings_.at(options.value("anew", false) ? 1 : 0);
     if (!lighting) throw Error("nothing is lit; expected a state of light first");
     return *lighting;
 }
 
-Json Bench::lit(const Json& options) {
+Json LabSession::lit(const Json& options) {
     const Lighting& lighting = lighting_of(options);
     Machine& machine = machine_for(options);
     const scene::Scene scene = scene_for(options);
@@ -57,7 +57,7 @@ Json Bench::lit(const Json& options) {
     return Json::object();
 }
 
-Json Bench::pixmap(const Json& options) {
+Json LabSession::pixmap(const Json& options) {
     const Lighting& lighting = lighting_of(options);
     const std::uint32_t number = options.at("pixmap");
     const radiosity::Pixmap& pixmap = lighting.solver().model().pixmaps.at(number);
@@ -72,7 +72,7 @@ Json Bench::pixmap(const Json& options) {
     return Json::object();
 }
 
-Json Bench::hemicube(const Json& options) {
+Json LabSession::hemicube(const Json& options) {
     picture_ = rgba_of(lighting_of(options).hemicube(options.at("patch"), options.at("point")));
     return Json::object();
 }

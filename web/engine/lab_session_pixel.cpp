@@ -1,5 +1,5 @@
-// One triangle and one pixel at the bench: every number between the corners and the planes, by the
-// functions of the reference machine, and the fragment that the machine itself makes.
+// One triangle and one pixel: every number between the corners and the planes, by the functions of
+// the reference machine, and the fragment that the machine itself makes.
 #include "gw/error.h"
 #include "gw/reference/make.h"
 #include "gw/reference/texture_unit.h"
@@ -7,7 +7,7 @@
 #include "gw/stages/vertex.h"
 #include "inspect/replay/pixel_history.h"
 #include "scene/draw/view.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/rgba.h"
 
 #include <cmath>
@@ -253,7 +253,7 @@ std::vector<ref::Corner> corners_of(const Draw& draw, const Resolved& state,
 
 }  // namespace
 
-Json Bench::pixel(const Json& options) {
+Json LabSession::pixel(const Json& options) {
     const Asked asked = asked_from(options);
     const int x = options.at("x"), y = options.at("y");
     Fragments fragments;

@@ -1,9 +1,9 @@
-// Ray casting as it is taught, at the bench [L9 to L12]: pictures and their costs by a method and an
-// inside test, what one ray looks at, and the three inside tests on any polygon.
+// Ray casting as it is taught [L9 to L12]: pictures and their costs by a method and an inside test,
+// what one ray looks at, and the three inside tests on any polygon.
 #include "apps/render/casts.h"
 #include "gw/error.h"
 #include "raytrace/casting/cast_picture.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/rgba.h"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ void check_tests(const raytrace::RayCaster& caster, const scene::View& view, dou
 
 }  // namespace
 
-const raytrace::RayCaster& Bench::caster_for(const Json& options) {
+const raytrace::RayCaster& LabSession::caster_for(const Json& options) {
     const std::string key =
         options.value("method", "grid") + " " + options.value("inside", "crossings");
     if (shapes_.empty()) shapes_ = raytrace::cast_shapes(file_.scene);
@@ -62,7 +62,7 @@ const raytrace::RayCaster& Bench::caster_for(const Json& options) {
     return *caster_;
 }
 
-Json Bench::cast(const Json& options) {
+Json LabSession::cast(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     const raytrace::RayCaster& caster = caster_for(options);
@@ -77,7 +77,7 @@ Json Bench::cast(const Json& options) {
             {"milliseconds", time.count()}};
 }
 
-Json Bench::visits(const Json& options) {
+Json LabSession::visits(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     const raytrace::RayCaster& caster = caster_for(options);
@@ -98,7 +98,7 @@ Json Bench::visits(const Json& options) {
     return answer;
 }
 
-Json Bench::inside(const Json& options) {
+Json LabSession::inside(const Json& options) {
     std::vector<dvec2> corners;
     for (const Json& corner : options.at("corners"))
         corners.push_back({corner.at(0), corner.at(1)});

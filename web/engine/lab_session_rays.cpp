@@ -1,11 +1,11 @@
-// The item buffer and rays at the bench [K4]: the pictures of eq. 5 and of the ordinary ray tracer,
-// identifiers, traced pixels, reasons of differences, paths of rays, and the scene from outside.
+// The item buffer and rays [K4]: the pictures of eq. 5 and of the ordinary ray tracer, identifiers,
+// traced pixels, reasons of differences, paths of rays, and the scene from outside.
 #include "gw/error.h"
 #include "image/plane_pictures.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "itembuffer/differences.h"
 #include "multipass/frame/driver.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/outside.h"
 #include "web/engine/rgba.h"
 
@@ -48,7 +48,7 @@ std::vector<std::uint8_t> turned(const std::vector<Value>& values, int width) {
 
 }  // namespace
 
-Bench::Rays Bench::rays_for(const Json& options) {
+LabSession::Rays LabSession::rays_for(const Json& options) {
     Machine& machine = machine_for(options);
     Subject subject = subject_of(machine, options);
     Json key = options;
@@ -62,21 +62,21 @@ Bench::Rays Bench::rays_for(const Json& options) {
     return {machine, *rays_, subject.view};
 }
 
-Json Bench::rays(const Json& options) {
+Json LabSession::rays(const Json& options) {
     const Rays rays = rays_for(options);
     Json answer = rays.scene.by_passes(rays.view);
     keep_picture(rays.machine);
     return answer;
 }
 
-Json Bench::raytraced(const Json& options) {
+Json LabSession::raytraced(const Json& options) {
     const Rays rays = rays_for(options);
     Json answer = rays.scene.by_rays(rays.view);
     keep_picture(rays.machine);
     return answer;
 }
 
-Json Bench::identifiers(const Json& options) {
+Json LabSession::identifiers(const Json& options) {
     const Rays rays = rays_for(options);
     const int width = rays.view.width, height = rays.view.height;
     picture_ = rgba_of(image::id_colors(rays.scene.identify(rays.view), width, height, 0));
@@ -85,7 +85,7 @@ Json Bench::identifiers(const Json& options) {
     return {{"traced", std::count(traced.begin(), traced.end(), 1)}};
 }
 
-Json Bench::reasons(const Json& options) {
+Json LabSession::reasons(const Json& options) {
     const Rays rays = rays_for(options);
     const itembuffer::Differences d = itembuffer::differences(
         rays.machine, rays.scene.scene(), rays.view, {.depth = rays.scene.depth(), .threads = 1});
@@ -101,12 +101,12 @@ Json Bench::reasons(const Json& options) {
     return {{"reasons", rows}, {"passes", d.passes}};
 }
 
-Json Bench::path(const Json& options) {
+Json LabSession::path(const Json& options) {
     if (!rays_) throw Error("no pixel has an identifier; expected identifiers() before");
     return rays_->path(options.at("x"), options.at("y"), options.value("ordinary", false));
 }
 
-Json Bench::outside(const Json& options) {
+Json LabSession::outside(const Json& options) {
     scene::Scene scene = scene_for(options);
     load_textures(scene);
     scene.camera = outside_camera(scene);

@@ -1,4 +1,4 @@
-// Passes at the bench: the list, each pass's planes, counters and estimated time; pixel histories.
+// Passes: the list, each pass's planes, counters and estimated time; pixel histories.
 #include "gw/error.h"
 #include "image/plane_pictures.h"
 #include "inspect/compare/plane_values.h"
@@ -8,7 +8,7 @@
 #include "inspect/report/prices.h"
 #include "multipass/passes/pass_toml.h"
 #include "multipass/passes/schedule.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ inspect::Replayed& kept(const std::unique_ptr<inspect::Replayed>& replayed) {
 
 }  // namespace
 
-Json Bench::passes(const Json& options) {
+Json LabSession::passes(const Json& options) {
     const std::unique_ptr<Machine> fresh = new_machine(options);
     Machine& machine = *fresh;
     inspect::Recording recording{
@@ -79,7 +79,7 @@ Json Bench::passes(const Json& options) {
     return {{"toml", multipass::to_toml(list)}, {"passes", passes}, {"machine", prices.machine}};
 }
 
-Json Bench::plane(const Json& options) {
+Json LabSession::plane(const Json& options) {
     inspect::Replayed& replayed = kept(replayed_);
     const std::size_t pass = options.at("pass");
     if (pass >= replayed.passes())
@@ -101,7 +101,7 @@ Json Bench::plane(const Json& options) {
             {"times", change.times}};
 }
 
-Json Bench::history(const Json& options) {
+Json LabSession::history(const Json& options) {
     const inspect::Recording& recording = kept(replayed_).recording();
     const int x = options.at("x"), y = options.at("y");
     if (x < 0 || y < 0 || x >= recording.width || y >= recording.height)

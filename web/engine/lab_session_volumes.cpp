@@ -1,7 +1,7 @@
-// Shadow volumes in space at the bench: objects of a scene that the machine draws from another eye.
+// Shadow volumes in space: objects of a scene that the machine draws from another eye.
 #include "gw/error.h"
 #include "multipass/shadow/shadows.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 #include "web/engine/outside.h"
 
 namespace gw::lab {
@@ -54,7 +54,7 @@ Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 }  // namespace
 
-Json Bench::volumes(const Json& options) {
+Json LabSession::volumes(const Json& options) {
     scene::Scene scene = scene_for(options);
     load_textures(scene);
     scene::Scene shown = scene;

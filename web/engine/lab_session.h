@@ -1,6 +1,6 @@
-// The lab's bench: one scene with a view of it, a machine, and the last picture. Values in, values
-// out: options and answers are JSON, planes are arrays. No logic of its own: every method calls the
-// layers as the command gw does. Throws gw::Error.
+// What one visitor of the lab works on: a scene, a machine, and the last picture. Options and answers
+// are JSON, planes are arrays. Calls the layers, and keeps what the next call can use again. Throws
+// gw::Error.
 #pragma once
 
 #include "apps/render/renderers.h"
@@ -26,7 +26,7 @@ namespace gw::lab {
 
 using Json = nlohmann::ordered_json;
 
-class Bench {
+class LabSession {
 public:
     /// A texture file's texels, as the file has them: 4 channels of 8 or 16 bits, top row first.
     void add_picture(const std::string& path, int width, int height, int bits,

@@ -1,6 +1,6 @@
 // What the C++ library of Debian's Emscripten lacks of C++20: bit_cast, algorithms over ranges, and
-// numbers of floating point as text. Included before every file. Only the forms that the layers use; does
-// nothing for a library that has them.
+// numbers of floating point as text. Included before every file. Has only the overloads that the
+// layers call; does nothing for a library that has them.
 #pragma once
 
 #include <algorithm>

@@ -1,11 +1,11 @@
-// Hidden-surface and hidden-line algorithms at the bench.
+// Hidden-surface and hidden-line algorithms, step by step.
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/model/flat_colors.h"
 #include "hiddensurface/run/estimate.h"
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 
 #include <algorithm>
 
@@ -38,7 +38,7 @@ std::string log_text(const hs::Input& input, const hs::LogSubject& subject, cons
 
 }  // namespace
 
-std::string Bench::hidden(const Json& options) {
+std::string LabSession::hidden(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     Machine& machine = machine_for(options);
@@ -59,7 +59,7 @@ std::string Bench::hidden(const Json& options) {
     return graded_log(machine, algorithm, input, level);
 }
 
-std::string Bench::polygons(const Json& options) {
+std::string LabSession::polygons(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     const Profile profile = profile_named(options.value("profile", "vgx"));
@@ -67,7 +67,7 @@ std::string Bench::polygons(const Json& options) {
     return hs::polygons_json(input, hs::hex_colors(input));
 }
 
-std::string Bench::play(const Json& options, const std::string& steps) {
+std::string LabSession::play(const Json& options, const std::string& steps) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     Machine& machine = machine_for(options);
@@ -77,8 +77,8 @@ std::string Bench::play(const Json& options, const std::string& steps) {
     return graded_log(machine, hs::played(std::move(play)), input, level);
 }
 
-std::string Bench::graded_log(Machine& machine, const hs::Algorithm& algorithm,
-                              const hs::Input& input, hs::Level level) {
+std::string LabSession::graded_log(Machine& machine, const hs::Algorithm& algorithm,
+                                   const hs::Input& input, hs::Level level) {
     hs::StepLog none, log(level);
     const hs::Result expected = hs::run_on(machine, hs::algorithm_named("z-buffer"), input, none);
     hs::Result result = hs::run_on(machine, algorithm, input, log);
@@ -91,7 +91,7 @@ std::string Bench::graded_log(Machine& machine, const hs::Algorithm& algorithm,
     return log_text(input, subject, log, hs::log_end(log.steps().size(), result.counts));
 }
 
-void Bench::keep_difference(const hs::Result& result, int width) {
+void LabSession::keep_difference(const hs::Result& result, int width) {
     difference_.clear();
     for (auto end = result.difference.end(); end != result.difference.begin(); end -= width)
         for (auto at = end - width; at != end; ++at) difference_.push_back(std::uint8_t(*at));

@@ -1,4 +1,4 @@
-#include "web/engine/bench.h"
+#include "web/engine/lab_session.h"
 
 #include "gw/error.h"
 #include "inspect/manifest/json_of.h"
@@ -62,8 +62,8 @@ multipass::PassList pass_list_from(const std::string& text) {
 
 }  // namespace
 
-void Bench::add_picture(const std::string& path, int width, int height, int bits,
-                        const std::string& texels) {
+void LabSession::add_picture(const std::string& path, int width, int height, int bits,
+                             const std::string& texels) {
     const std::size_t row = std::size_t(width) * 4 * std::size_t(bits / 8);
     if (texels.size() != row * std::size_t(height))
         throw Error(path + ": " + std::to_string(texels.size()) + " bytes; expected " +
@@ -81,7 +81,7 @@ void Bench::add_picture(const std::string& path, int width, int height, int bits
     pictures_[key_of(path)] = make_texture(name, width, height, rgba);
 }
 
-Json Bench::open(const std::string& path) {
+Json LabSession::open(const std::string& path) {
     drivers_.clear();
     lightings_ = {};
     rays_.reset();
@@ -108,7 +108,7 @@ Json Bench::open(const std::string& path) {
             {"fov", seen.camera->fov}};
 }
 
-scene::Scene Bench::scene_for(const Json& options) const {
+scene::Scene LabSession::scene_for(const Json& options) const {
     scene::Scene scene = file_.scene;
     scene::add_defaults(scene, side(options, "width"), side(options, "height"));
     scene::CameraOverrides camera;
@@ -126,16 +126,16 @@ scene::Scene Bench::scene_for(const Json& options) const {
     return scene;
 }
 
-scene::View Bench::view_of(const scene::Scene& scene, const Json& options) const {
+scene::View LabSession::view_of(const scene::Scene& scene, const Json& options) const {
     return scene::make_view(scene, side(options, "width"), side(options, "height"));
 }
 
-std::unique_ptr<Machine> Bench::new_machine(const Json& options) {
+std::unique_ptr<Machine> LabSession::new_machine(const Json& options) {
     return make_fast(profile_named(options.value("profile", "vgx")), side(options, "width"),
                      side(options, "height"), {.threads = 1});
 }
 
-Machine& Bench::machine_for(const Json& options) {
+Machine& LabSession::machine_for(const Json& options) {
     const std::string key =
         Json{options.value("profile", "vgx"), options.at("width"), options.at("height")}.dump();
     if (key != machine_key_) {
@@ -150,7 +150,7 @@ Machine& Bench::machine_for(const Json& options) {
     return *machine_;
 }
 
-void Bench::load_textures(scene::Scene& scene) const {
+void LabSession::load_textures(scene::Scene& scene) const {
     for_each_map(scene, [&](scene::Map& map) {
         const auto found = pictures_.find(key_of(map.file));
         if (found == pictures_.end())
@@ -160,7 +160,7 @@ void Bench::load_textures(scene::Scene& scene) const {
     });
 }
 
-Bench::Subject Bench::subject_of(Machine& machine, const Json& options) const {
+LabSession::Subject LabSession::subject_of(Machine& machine, const Json& options) const {
     const std::string name = options.value("renderer", "multipass");
     const std::vector<std::string> known = apps::renderer_names();
     if (std::find(known.begin(), known.end(), name) == known.end())
@@ -183,18 +183,18 @@ Bench::Subject Bench::subject_of(Machine& machine, const Json& options) const {
     return subject;
 }
 
-void Bench::draw_scene(Machine& machine, const Json& options) const {
+void LabSession::draw_scene(Machine& machine, const Json& options) const {
     const Subject subject = subject_of(machine, options);
     subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);
 }
 
-void Bench::keep_picture(Machine& machine) {
+void LabSession::keep_picture(Machine& machine) {
     const Planes& planes = machine.planes();
     picture_ = rgba_of(
         image::picture_of(planes.color, planes.width, planes.height, machine.profile().color_bits));
 }
 
-void Bench::draw_again(Machine& machine, const Subject& subject, const Json& options) {
+void LabSession::draw_again(Machine& machine, const Subject& subject, const Json& options) {
     Json key = options;
     for (const char* of_eye : {"eye", "at", "up", "fov"}) key.erase(of_eye);
     Kept& kept = drivers_[subject.renderer.name];
@@ -212,7 +212,7 @@ void Bench::draw_again(Machine& machine, const Subject& subject, const Json& opt
     kept.driver->draw(subject.view);
 }
 
-bool Bench::has_generated_maps() const {
+bool LabSession::has_generated_maps() const {
     return std::any_of(
         file_.scene.materials.begin(), file_.scene.materials.end(), [](const scene::Material& m) {
             return std::any_of(m.refl.begin(), m.refl.end(),
@@ -220,7 +220,7 @@ bool Bench::has_generated_maps() const {
         });
 }
 
-Json Bench::draw(const Json& options) {
+Json LabSession::draw(const Json& options) {
     Machine& machine = machine_for(options);
     const Subject subject = subject_of(machine, options);
     if (subject.renderer.passes && !has_generated_maps())
@@ -234,7 +234,7 @@ Json Bench::draw(const Json& options) {
     return {{"passes", passes}};
 }
 
-std::string Bench::manifest(const Json& options) {
+std::string LabSession::manifest(const Json& options) {
     machine_key_.clear();
     Machine& machine = machine_for(options);
     inspect::DigestingMachine digesting(machine);
