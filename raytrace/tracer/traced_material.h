@@ -14,8 +14,9 @@ namespace gw::raytrace {
 ///   5, 7    F                      (1 - F) (1 - d) Tf, bent by Ni
 ///   others  not traced: reflection and refraction maps only
 ///
-/// F = Ks + (1 - Ks) (1 - cos theta)^5 (Schlick 1994), theta on the side of the thinner medium.
-/// Total reflection turns transmitted light into reflected light. Ni = 1, its default, bends
+/// F = Ks + (1 - Ks) (1 - cos theta)^5 (Schlick 1994), theta on the side of the thinner medium: 1
+/// from the critical angle on. If nothing is transmitted, theta is the ray's own. With the other
+/// illum, total reflection turns transmitted light into reflected light. Ni = 1, its default, bends
 /// nothing.
 struct TracedMaterial {
     dvec3 reflect{0}, transmit{0};

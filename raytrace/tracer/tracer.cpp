@@ -41,16 +41,20 @@ Parting parting(const TracedMaterial& material, const Surface& s) {
     Parting p{.reflect = material.reflect,
               .transmit = material.transmit,
               .reflected = above(reflected(s.direction, s.normal), s.plane_normal)};
+    if (material.transmit == dvec3(0)) {
+        if (material.fresnel) p.reflect = schlick(material.reflect, -dot3(s.direction, s.normal));
+        return p;
+    }
     const double eta = s.front ? 1 / material.Ni : material.Ni;
-    const auto behind =
-        material.transmit != dvec3(0) ? bent(s.direction, s.normal, eta) : std::nullopt;
+    const auto behind = bent(s.direction, s.normal, eta);
     if (material.fresnel) {
-        const bool from_thin = eta <= 1 || !behind;
-        p.reflect = schlick(material.reflect,
-                            from_thin ? -dot3(s.direction, s.normal) : -dot3(*behind, s.normal));
+        const bool from_thin = eta <= 1;
+        // The thinner medium's cosine is 0 at the critical angle, and beyond it nothing gets there.
+        p.reflect = schlick(material.reflect, from_thin ? -dot3(s.direction, s.normal)
+                                              : behind  ? -dot3(*behind, s.normal)
+                                                        : 0);
         p.transmit = (dvec3(1) - p.reflect) * material.transmit;
     }
-    if (material.transmit == dvec3(0)) return p;
     if (!behind) {
         p.reflect += p.transmit;
         p.transmit = dvec3(0);

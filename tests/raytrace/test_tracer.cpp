@@ -184,6 +184,37 @@ TEST(Tracer, ReflectsMoreAtGrazingAnglesWhereFresnelIsAskedFor) {
     }
 }
 
+/// Schlick's F from the thinner medium's cosine, by the refracted angle's trigonometry.
+double fresnel_from_inside(double Ks, double Ni, double sine) {
+    const double outside = Ni * sine;
+    if (outside >= 1) return 1;
+    return Ks + (1 - Ks) * std::pow(1 - std::cos(std::asin(outside)), 5);
+}
+
+// F grows to 1 at the critical angle and stays there, whatever the body absorbs of what it lets
+// through.
+TEST(Tracer, ReflectsAllLightFromInsideBeyondTheCriticalAngleWhereFresnelIsAskedFor) {
+    for (const int illum : {5, 7})
+        for (const float d : {0.0f, 0.2f, 0.9f})
+            for (const float Tf : {0.5f, 1.0f}) {
+                Walls walls;
+                scene::Material& glass = walls.add({0, 0, 0}, {90, 0, 0}, {0, 90, 0});
+                glass = {.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(0.04f), .Tf = vec3(Tf)};
+                glass.illum = illum;
+                glass.d = d;
+                glass.Ni = 1.5f;
+                walls.add_shining({0, 0, -900}, {9000, 0, 0}, {0, 9000, 0}, {1, 0, 0});  // inside
+                walls.scene.background = vec3(0, 1, 0);                                  // outside
+                for (const double sine : {0.1, 0.5, 0.6, 0.66, 0.6666, 0.6667, 0.7, 0.9, 0.99}) {
+                    const dvec3 up(sine, 0, std::sqrt(1 - sine * sine));
+                    const dvec3 seen = look(walls.scene, up, {}, {0, 0, -1}).traced;
+                    const double F = fresnel_from_inside(double(0.04f), 1.5, sine);
+                    EXPECT_NEAR(seen.x, F, 1e-9) << illum << " " << d << " " << sine;
+                    EXPECT_NEAR(seen.y, (1 - F) * (1 - double(d)) * double(Tf), 1e-9) << sine;
+                }
+            }
+}
+
 TEST(Tracer, FindsShadowsOfHitsByRaysOrAsToldByOption) {
     Walls walls = mirror_and_lamp();
     scene::Material& lamp = walls.scene.materials[0];
