@@ -115,7 +115,7 @@ Draw draw_of(const PlacedModel& placed, const Step& step, const Portion& portion
     if (map) draw.map.texture = map->texture;
     if (step.pass.objects == PassObjects::Glaring) {
         draw.eye_from_object[3] += dvec4(placed.glare[portion.part], 0);
-        draw.material.Ke *= part.object->glare->strength;
+        draw.material.Ke *= part.object->glare->strength / float(step.repeats);
     }
     return draw;
 }

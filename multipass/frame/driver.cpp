@@ -2,6 +2,7 @@
 
 #include "multipass/effects/scene_maps.h"
 #include "multipass/frame/frame_drawer.h"
+#include "multipass/frame/superpose.h"
 
 #include <algorithm>
 #include <optional>
@@ -26,6 +27,7 @@ Driver::Driver(Machine& machine, scene::Scene scene, const Options& options)
       options_(options),
       passes_(pass_list(scene_, options)) {
     check_lights(scene_, passes_, machine.profile());
+    check_glare(scene_, passes_, most_pictures(machine.profile()));
 }
 
 Driver::~Driver() = default;

@@ -108,7 +108,9 @@ inline const Pass fog_pass{
 inline const Pass add_pass{.name = "add", .action = PassAction::Add};
 
 /// Light around emitters [K3.3]: each once more, moved, once a pixel; the mean of the superposed
-/// pictures glows.
+/// pictures glows. An image of its own [add_pass], so that the sum with the scene is not clamped in
+/// each picture. If Ke times the strength is more than 1, the pass is repeated, each time with its
+/// part of the strength.
 inline const Pass glare_pass{
     .name = "glare",
     .clear = mask_of(Plane::Stencil),

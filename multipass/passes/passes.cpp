@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gw::multipass {
 namespace {
@@ -15,11 +16,6 @@ namespace {
 /// Draws light of its own kind: Fig. 4 shows it as an image.
 bool is_component(const Pass& pass) {
     return pass.blend.enable && pass.blend.src != BlendFactor::Zero;
-}
-
-bool any_glare(const scene::Scene& scene) {
-    return std::any_of(scene.objects.begin(), scene.objects.end(),
-                       [](const scene::Object& item) { return item.glare.has_value(); });
 }
 
 /// The reflection map outside the shadow of the first light that casts one [K3.2].
@@ -37,7 +33,6 @@ void keep_reflection_out_of_shadow(PassList& list) {
 PassList opaque_passes(const scene::Scene& scene) {
     PassList list{depth_pass,    shadow_pass,     ambient_pass,    diffuse_pass,
                   specular_pass, reflection_pass, refraction_pass, emission_pass};
-    if (any_glare(scene)) list.push_back(glare_pass);
     if (!scene.reflection_in_shadow) keep_reflection_out_of_shadow(list);
     list[0].color = scene.background != vec3(0);
     for (Pass& pass : list) {
@@ -95,6 +90,20 @@ void add_layers(PassList& list, const scene::Scene& scene) {
     if (scene.fog) list.push_back(as_layer_pass(translucent_fog_pass));
 }
 
+/// Light around emitters, each time an image of its own: only the sum is more than white.
+void add_glare(PassList& list, const scene::Scene& scene) {
+    const int images = glare_images(scene);
+    if (images == 0) return;
+    Pass glare = glare_pass;
+    if (scene.fog) glare.fog = PassFog::Black;
+    if (list.back() != add_pass) list.push_back(add_pass);
+    for (int i = 0; i < images; ++i) {
+        list.push_back(glare);
+        if (has_translucent(scene)) list.push_back(veil_pass);
+        list.push_back(add_pass);
+    }
+}
+
 PassList multipass_list(const scene::Scene& scene, Translucency translucency) {
     PassList list = opaque_passes(scene);
     if (!has_translucent(scene)) {
@@ -104,6 +113,7 @@ PassList multipass_list(const scene::Scene& scene, Translucency translucency) {
     } else {
         add_images(list, scene);
     }
+    add_glare(list, scene);
     return list;
 }
 
@@ -132,10 +142,17 @@ PassList without_components(const PassList& passes, const Wanted& wanted) {
     return list;
 }
 
-/// Without images in the accumulation buffer: a single component needs none.
+/// Whether two passes are one component: glare is repeated, its strength divided among all.
+bool same_component(const Pass& a, const Pass& b) {
+    return &a == &b || (a.objects == PassObjects::Glaring && a == b);
+}
+
+/// Without images in the accumulation buffer: a single component needs none, unless it is repeated.
 PassList alone(const PassList& passes, const Pass* component) {
-    PassList list = without_components(passes, [&](const Pass& p) { return &p == component; });
-    std::erase_if(list, [](const Pass& pass) { return pass.action == PassAction::Add; });
+    PassList list = without_components(
+        passes, [&](const Pass& p) { return component && same_component(p, *component); });
+    if (!component || component->objects != PassObjects::Glaring)
+        std::erase_if(list, [](const Pass& pass) { return pass.action == PassAction::Add; });
     return list;
 }
 
@@ -176,6 +193,17 @@ bool has_translucent(const scene::Scene& scene) {
     });
 }
 
+int glare_images(const scene::Scene& scene) {
+    int images = 0;
+    for (const scene::Object& item : scene.objects) {
+        if (!item.glare) continue;
+        const vec3 light = scene.materials[item.material].Ke * item.glare->strength;
+        const double most = std::max(std::max(light.x, light.y), light.z);
+        images = std::max(images, static_cast<int>(std::ceil(std::clamp(most - 1e-6, 1.0, 1e6))));
+    }
+    return images;
+}
+
 PassList passes_for(const scene::Scene& scene, Renderer renderer, Translucency translucency) {
     return renderer == Renderer::Hardware ? hardware_list(scene)
                                           : multipass_list(scene, translucency);
@@ -190,8 +218,10 @@ std::vector<ComponentList> component_lists(const scene::Scene& scene, const Pass
                          adds ? alone(passes, nullptr)
                               : without_components(passes, [](const Pass&) { return false; }),
                          true});
-    for (const Pass& pass : passes) {
-        if (!is_component(pass)) continue;
+    for (auto at = passes.begin(); at != passes.end(); ++at) {
+        const Pass& pass = *at;
+        const auto same = [&](const Pass& p) { return same_component(p, pass); };
+        if (!is_component(pass) || std::any_of(at + 1, passes.end(), same)) continue;
         if (adds)
             lists.push_back({pass.name.str(), alone(passes, &pass), false});
         else
@@ -225,6 +255,19 @@ std::vector<Rgba> sum_of(const std::vector<ComponentImage>& images, const Profil
                 sum[i][c] = static_cast<std::uint16_t>(
                     std::min(most, std::uint32_t(sum[i][c]) + image.color[i][c]));
     return sum;
+}
+
+void check_glare(const scene::Scene& scene, const PassList& passes, int most) {
+    const auto images = std::count_if(passes.begin(), passes.end(), [](const Pass& pass) {
+        return pass.objects == PassObjects::Glaring;
+    });
+    if (images < most) return;
+    for (const scene::Object& item : scene.objects)
+        if (item.glare)
+            throw Error(
+                fmt::format("glare of object '{}': its strength times Ke takes {} images; "
+                            "expected at most {}, which fit in the accumulation buffer",
+                            item.name, images, most - 1));
 }
 
 void check_lights(const scene::Scene& scene, const PassList& passes, const Profile& profile) {

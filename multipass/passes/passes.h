@@ -27,6 +27,10 @@ PassList passes_for(const scene::Scene& scene, Renderer renderer,
 
 bool has_translucent(const scene::Scene& scene);
 
+/// How often the glare pass is repeated [K3.3]: often enough that no part of an emitter's Ke times
+/// strength is more than 1. 0: no object has glare.
+int glare_images(const scene::Scene& scene);
+
 /// A component's image (Fig. 4): its name and the passes that draw it alone.
 struct ComponentList {
     std::string name;
@@ -35,7 +39,7 @@ struct ComponentList {
     bool difference = false;  ///< the image is this picture less the one before it in the list
 };
 
-/// One for each component pass, in order; first the base, if the picture without components is not
+/// One for each component pass, in order, repeated glare passes being one; first the base, if the picture without components is not
 /// black. Their images, added with saturation, are the picture of the whole list bit for bit.
 ///
 /// If all components are added, each list draws one component alone: the order changes no saturated
@@ -54,6 +58,9 @@ std::vector<ComponentImage> component_images(
     const std::function<std::vector<Rgba>(const ComponentList&)>& draw);
 /// Their sum, saturated.
 std::vector<Rgba> sum_of(const std::vector<ComponentImage>& images, const Profile& profile);
+
+/// Throws Error if glare takes more images than an accumulation buffer for `most` has place for.
+void check_glare(const scene::Scene& scene, const PassList& passes, int most);
 
 /// Throws Error if one pass with all lights has more lights on an object than the profile allows in
 /// a pass. The message names the limit and the multi-pass renderer, which has none [K3p].

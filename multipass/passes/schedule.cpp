@@ -71,6 +71,14 @@ std::optional<std::optional<std::size_t>> light_of(const Pass& pass, const PassM
     return std::optional<std::size_t>{};
 }
 
+void count_repeats(std::vector<Step>& steps) {
+    const auto glares = [](const Step& s) { return s.pass.objects == PassObjects::Glaring; };
+    const auto count = std::size_t(std::count_if(
+        steps.begin(), steps.end(), [&](const Step& s) { return glares(s) && s.map == 0; }));
+    for (Step& step : steps)
+        if (glares(step)) step.repeats = count;
+}
+
 }  // namespace
 
 std::vector<Step> schedule(const PassList& passes, const PassModel& model) {
@@ -87,6 +95,7 @@ std::vector<Step> schedule(const PassList& passes, const PassModel& model) {
             std::for_each(pass, last, [&](const Pass& p) { add_runs(steps, p, light, model); });
         pass = last;
     }
+    count_repeats(steps);
     return steps;
 }
 

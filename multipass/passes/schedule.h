@@ -16,6 +16,8 @@ struct Step {
     Pass pass;                         ///< its names in order
     std::optional<std::size_t> light;  ///< of a pass of PassLights::Each
     std::size_t map = 0;               ///< which of the objects' maps of the pass's component
+    /// of a pass of PassObjects::Glaring: the number of them, which share the strength
+    std::size_t repeats = 1;
 
     bool operator==(const Step&) const = default;
 };

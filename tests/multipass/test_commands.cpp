@@ -1,11 +1,16 @@
 // What the commands of a pass say: each object's own state, a glaring emitter's material, what a
 // clear reaches.
+#include "gw/base/arithmetic.h"
+#include "gw/error.h"
 #include "multipass/frame/driver.h"
 #include "multipass/passes/catalogue.h"
 
 #include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace gw::multipass {
 namespace {
@@ -49,6 +54,66 @@ TEST(Commands, GiveGlareItsStrength) {
         EXPECT_NEAR(half[i][0], whole[i][0] / 2.0, 1) << i;
     }
     EXPECT_GT(glow, 1000);
+}
+
+// The light around an emitter is summed before it is clamped: with any strength, on any background,
+// it is that of a white emitter on black, times Ke and strength.
+TEST(Commands, KeepColourAndStrengthOfGlare) {
+    constexpr int count = 16;
+    scene::Scene s = two_squares();
+    s.lights.clear();
+    s.objects.pop_back();
+    s.materials[0] = {.name = "shine", .Ka = vec3(0), .Kd = vec3(0)};
+    s.objects[0].glare = scene::Glare{.radius = 1, .strength = 1, .samples = count};
+    const auto drawn = [&](const Profile& profile, const vec3& Ke, float strength,
+                           const vec3& background) {
+        s.materials[0].Ke = Ke;
+        s.objects[0].glare->strength = strength;
+        s.background = background;
+        return draw(*make_fast(profile, size, size), s);
+    };
+    const vec3 Ke(1, 0.75f, 0.25f);
+    for (const Profile& profile : {vgx(), ideal()}) {
+        const std::vector<Rgba> white = drawn(profile, vec3(1), 1, vec3(0)),
+                                alone = drawn(profile, vec3(1), 0, vec3(0));
+        const double most = max_of_bits(profile.color_bits);
+        for (const float strength : {0.75f, 1.0f, 1.5f, 2.0f, 3.0f, 7.0f})
+            for (const vec3& background : {vec3(0), vec3(0.25f, 0.5f, 0.125f)}) {
+                const std::vector<Rgba> seen = drawn(profile, Ke, strength, background);
+                int glow = 0;
+                for (std::size_t i = 0; i < seen.size(); ++i) {
+                    if (alone[i][0] > 0 || white[i][0] == 0) continue;
+                    ++glow;
+                    const double covered = std::round(white[i][0] / most * count) / count;
+                    for (int c = 0; c < 3; ++c) {
+                        const double light =
+                            double(background[c]) + double(Ke[c] * strength) * covered;
+                        // Of the colours, times the images, and of the mean.
+                        const double rounding = std::ceil(strength) * covered / 2 + 2;
+                        EXPECT_NEAR(seen[i][std::size_t(c)], std::min(light, 1.0) * most, rounding)
+                            << profile.name << " " << strength << " pixel " << i << " channel "
+                            << c;
+                    }
+                }
+                EXPECT_GT(glow, 20);
+            }
+    }
+}
+
+TEST(Commands, RefuseGlareThatNoSumHasPlaceFor) {
+    scene::Scene s = two_squares();
+    s.materials[0].Ke = vec3(2);
+    s.objects[0].glare = scene::Glare{.radius = 1, .strength = 63.5f, .samples = 1};
+    draw(s);
+    s.objects[0].glare->strength = 64;
+    try {
+        draw(s);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(),
+                     "glare of object 'left': its strength times Ke takes 128 images; expected at "
+                     "most 127, which fit in the accumulation buffer");
+    }
 }
 
 TEST(Commands, ClearTheDepthInAPassThatDoesNotUpdateIt) {
