@@ -33,6 +33,14 @@ plot::Plot times(const Sweep& sweep, const std::vector<Row>& rows) {
     return p;
 }
 
+constexpr double most_bound = 15;  ///< above it, the plot would show nothing else
+
+bool is_bound_cut(const std::vector<Row>& rows) {
+    return std::any_of(rows.begin(), rows.end(), [](const Row& row) {
+        return row.c.share > 0 && row.c.bound() > most_bound;
+    });
+}
+
 plot::Plot gains(const Sweep& sweep, const std::vector<Row>& rows) {
     plot::Plot p{
         .title = "Ordinary ray tracing over item buffer, by " + sweep.x_label,
@@ -42,13 +50,16 @@ plot::Plot gains(const Sweep& sweep, const std::vector<Row>& rows) {
         .x = {sweep.x_label, sweep.log},
         .y = {"times faster", 0}};
     plot::Series rays{.name = "with shadow rays"}, maps{.name = "with shadow maps"},
-        bound{.name = "1 + 1/g", .markers = false, .dashed = true},
+        bound{
+            .name = is_bound_cut(rows) ? fmt::format("1 + 1/g, cut at {}", most_bound) : "1 + 1/g",
+            .markers = false,
+            .dashed = true},
         low{.name = "the paper's 3", .markers = false, .dashed = true},
         high{.name = "the paper's 5", .markers = false, .dashed = true};
     for (const Row& row : rows) {
         rays.points.emplace_back(row.x, row.c.gain());
         maps.points.emplace_back(row.x, row.c.gain_maps());
-        if (row.c.share > 0) bound.points.emplace_back(row.x, std::min(row.c.bound(), 15.0));
+        if (row.c.share > 0) bound.points.emplace_back(row.x, std::min(row.c.bound(), most_bound));
         low.points.emplace_back(row.x, 3);
         high.points.emplace_back(row.x, 5);
     }
