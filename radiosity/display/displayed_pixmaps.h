@@ -35,7 +35,7 @@ private:
 
 /// The colour at each texel: its radiosity and, if `with_ambient`, the estimate of the light yet to
 /// come [F1c]. Beyond a figure's border its nearest texel is repeated, so that nothing leaks in. If
-/// a smooth surface continues in another pixmap, the border shows that one's colours.
+/// a smooth surface continues in another pixmap, both have the same colours there (seams.h).
 DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
                                    bool with_ambient);
 

@@ -90,7 +90,10 @@ FormFactors::FormFactors(const PixmapModel& model, const FormFactorOptions& opti
     check(options);
     delta_ = delta_form_factors(options.hemicube);
     scratch_.resize(std::size_t(options.threads > 0 ? options.threads : hardware_threads()));
-    if (by_texels(options.scan)) figures_ = plane_figures(model);
+    if (by_texels(options.scan)) {
+        figures_ = plane_figures(model);
+        pieces_ = Pieces(model);
+    }
     figures_.resize(model.facets.size());
     for (const Pixmap& pixmap : model.pixmaps) joined_.push_back(joined_texels(model, pixmap));
     slots_.resize(slots);
@@ -268,8 +271,11 @@ void FormFactors::scan_pixmap(Slot& slot, std::uint32_t number, Scratch& scratch
     slot.backs[number] = slot.sums[number] = slot.left_out[number] = 0;
     bool is_set = false;
     const auto texels = std::span(slot.factors).subspan(pixmap.first, pixmap.count());
+    if (std::none_of(pixmap.facets.begin(), pixmap.facets.end(),
+                     [&](std::uint32_t facet) { return is_present(slot.buffers, facet); }))
+        return;
     for (const std::uint32_t facet : pixmap.facets) {
-        if (!is_present(slot.buffers, facet)) continue;
+        if (pieces_.of(facet).empty() && !is_present(slot.buffers, facet)) continue;
         if (!is_set) std::fill(texels.begin(), texels.end(), 0.0);
         is_set = true;
         const NearTexels* const near = slot.beside ? texels_of(*slot.beside, facet) : nullptr;
@@ -303,9 +309,16 @@ double FormFactors::scan_beside(Slot& slot, const NearTexels& texels, Scratch& s
 double FormFactors::scan_facet(Slot& slot, std::uint32_t facet, std::span<double> factors,
                                Scratch& scratch) const {
     const auto& figure = figures_[facet];
-    if (figure && can_scan_texels(model_, *figure, slot.hemicube) &&
+    const bool is_shown = is_present(slot.buffers, facet);
+    if (is_shown && figure && can_scan_texels(model_, *figure, slot.hemicube) &&
         scan_texels(model_, *figure, slot.hemicube, slot.seen, factors, scratch.texels))
         return 0;
+    const std::span<const Piece> pieces = pieces_.of(facet);
+    if (!pieces.empty() && can_scan_pieces(model_, facet, slot.hemicube)) {
+        scan_pieces(model_, facet, pieces, slot.hemicube, slot.seen, factors);
+        return 0;
+    }
+    if (!is_shown) return 0;
     return scan_pixels(model_, facet, slot.hemicube, slot.buffers, delta_, options_.scan, factors,
                        scratch.pixels);
 }

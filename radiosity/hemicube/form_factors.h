@@ -106,6 +106,7 @@ private:
     FormFactorOptions options_;
     DeltaFormFactors delta_;
     std::vector<std::optional<PlaneFigure>> figures_;  ///< by facet
+    Pieces pieces_;                                    ///< of curved figures
     std::vector<std::vector<std::uint32_t>> joined_;   ///< texels that are no elements, by pixmap
     std::vector<Scratch> scratch_;                     ///< one for each thread
     std::vector<Slot> slots_;

@@ -147,6 +147,82 @@ bool scan_texels(const PixmapModel& model, const PlaneFigure& figure, const Hemi
     return any > 0;
 }
 
+namespace {
+
+/// Whether pieces of one facet are seen from a hemicube's point.
+class PieceSight {
+public:
+    PieceSight(const PixmapModel& model, std::uint32_t facet, const Hemicube& hemicube,
+               const SeenIds& seen)
+        : model_(model),
+          facet_(model.facets[facet]),
+          id_(facet + 1),
+          position_(hemicube.position),
+          height_(dot3(facet_.normal, position_) - facet_.offset),
+          seen_(seen) {}
+
+    /// `p`: the same middle as FigureView has it.
+    bool is_seen(const dvec3& p, const dvec2& middle) const {
+        const std::uint32_t id = look(seen_, p) & id_bits;
+        if (id == nothing || id == id_) return true;
+        const Facet& shown = model_.facets[id - 1];
+        const dvec3 d = facet_.at(middle) - position_;
+        const double distance = length(d);
+        return is_of_same_surface(shown, d, distance, p) || !is_before(shown, d, distance);
+    }
+
+private:
+    /// A pixel shows one of the small facets in it.
+    bool is_of_same_surface(const Facet& shown, const dvec3& d, double distance,
+                            const dvec3& p) const {
+        if (model_.figures[shown.figure].object != model_.figures[facet_.figure].object)
+            return false;
+        constexpr double least_cos = 0.1;
+        const double pixel = distance_in_face(p) * model_.extent * 2 / seen_.size,
+                     reach = 2 * pixel / std::max(height_ / distance, least_cos);
+        return length(shown.center - (position_ + d)) <= shown.radius + reach;
+    }
+
+    /// Whether the shown facet is nearer than the piece: its plane, as far as the facet reaches.
+    bool is_before(const Facet& shown, const dvec3& d, double distance) const {
+        constexpr double nearer = 1 - 1e-3;
+        const double slope = dot3(shown.normal, d),
+                     t = (shown.offset - dot3(shown.normal, position_)) / slope,
+                     middle = length(shown.center - position_) / distance,
+                     reach = shown.radius / distance;
+        return std::clamp(slope == 0 ? middle : t, middle - reach, middle + reach) < nearer;
+    }
+
+    const PixmapModel& model_;
+    const Facet& facet_;
+    const std::uint32_t id_;
+    const dvec3 position_;
+    const double height_;
+    const SeenIds& seen_;
+};
+
+}  // namespace
+
+bool can_scan_pieces(const PixmapModel& model, std::uint32_t number, const Hemicube& hemicube) {
+    constexpr double far_enough = 4;  // radii
+    const Facet& facet = model.facets[number];
+    if (dot3(facet.normal, hemicube.position) - facet.offset <= 0) return false;
+    const dvec3 d = facet.center - hemicube.position;
+    return dot3(d, d) >= far_enough * far_enough * facet.radius * facet.radius;
+}
+
+void scan_pieces(const PixmapModel& model, std::uint32_t facet, std::span<const Piece> pieces,
+                 const Hemicube& hemicube, const SeenIds& seen, std::span<double> factors) {
+    const FigureView view = view_without_sides(model, model.facets[facet], hemicube);
+    const PieceSight sight(model, facet, hemicube, seen);
+    for (const Piece& piece : pieces) {
+        const dvec3 p = view.at(piece.middle.x, piece.middle.y);
+        if (p.z <= 0 || !sight.is_seen(p, piece.middle)) continue;
+        const double r2 = dot3(p, p);
+        factors[piece.texel] += double(piece.share) * view.flux * p.z / (r2 * r2);
+    }
+}
+
 double sum_of(std::span<const double> values) {
     constexpr std::size_t lanes = 8;
     double sums[lanes] = {};

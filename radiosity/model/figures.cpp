@@ -4,6 +4,7 @@
 #include "radiosity/model/geometry.h"
 #include "radiosity/model/model_builder.h"
 #include "radiosity/model/patches.h"
+#include "radiosity/model/texel_parts.h"
 
 #include <fmt/format.h>
 
@@ -15,40 +16,6 @@ namespace gw::radiosity {
 namespace {
 
 constexpr double least_share = 1.0 / 2;
-
-/// The first and last texel that [low, high] touches.
-std::pair<int, int> touched(double low, double high, int count) {
-    const int first = std::clamp(static_cast<int>(std::floor(low)), 0, count - 1);
-    return {first, std::clamp(static_cast<int>(std::ceil(high)) - 1, first, count - 1)};
-}
-
-std::pair<double, double> range(const Polygon2& polygon, int axis) {
-    double low = polygon[0][axis], high = low;
-    for (int i = 1; i < polygon.n; ++i) {
-        low = std::min(low, polygon[i][axis]);
-        high = std::max(high, polygon[i][axis]);
-    }
-    return {low, high};
-}
-
-/// visit(x, y, share) for each texel that the triangle covers a share of.
-template <class Visit>
-void for_each_share(const Triangle2& triangle, const Pixmap& pixmap, Visit visit) {
-    Polygon2 whole;
-    for (const dvec2& uv : triangle) whole.add(uv);
-    const auto [low_v, high_v] = range(whole, 1);
-    const auto [y0, y1] = touched(low_v, high_v, pixmap.height);
-    for (int y = y0; y <= y1; ++y) {
-        const Polygon2 row = cut(cut(whole, 1, y, 1), 1, y + 1, -1);
-        if (row.n < 3) continue;
-        const auto [low_u, high_u] = range(row, 0);
-        const auto [x0, x1] = touched(low_u, high_u, pixmap.width);
-        for (int x = x0; x <= x1; ++x) {
-            const Polygon2 piece = cut(cut(row, 0, x, 1), 0, x + 1, -1);
-            if (piece.n >= 3) visit(x, y, area(piece));
-        }
-    }
-}
 
 /// Breadth first from the covered texels, in the order of the texels.
 void find_nearest(PixmapModel& model, Pixmap& pixmap, const std::vector<char>& covered) {
@@ -125,18 +92,26 @@ void cover_texels(PixmapModel& model) {
     model.E.assign(count, dvec3(0));
     model.nearest.assign(count, 0);
     model.share.assign(count, 0);
+    model.middle.assign(count, dvec3(0));
+    model.facet_of.assign(count, no_facet);
+    std::vector<double> most(count, 0);  // of a texel, covered by one triangle
     std::vector<double>& share = model.share;
-    for (const Facet& facet : model.facets) {
+    for (std::uint32_t number = 0; number < model.facets.size(); ++number) {
+        const Facet& facet = model.facets[number];
         const Pixmap& pixmap = model.pixmaps[facet.pixmap];
         const Figure& figure = model.figures[facet.figure];
         for (const Triangle2& triangle : facet.triangles)
-            for_each_share(triangle, pixmap, [&](int x, int y, double part) {
+            for_each_part(triangle, pixmap, [&](int x, int y, const Polygon2& part) {
                 const std::size_t t = pixmap.texel(x, y);
-                const double a = part * facet.texel_area;
-                share[t] += part;
+                const double covered = area(part), a = covered * facet.texel_area;
+                share[t] += covered;
                 model.area[t] += a;
                 model.rho[t] += a * figure.rho;
                 model.E[t] += a * figure.E;
+                if (covered > 0) model.middle[t] += a * facet.at(centroid(part));
+                if (covered <= most[t]) return;
+                most[t] = covered;
+                model.facet_of[t] = number;
             });
     }
     refuse_overlap(model, share);
@@ -147,6 +122,7 @@ void cover_texels(PixmapModel& model) {
         if (model.area[t] > 0) {
             model.rho[t] /= model.area[t];
             model.E[t] /= model.area[t];
+            model.middle[t] /= model.area[t];
         } else {
             model.rho[t] = model.E[t] = dvec3(0);
         }

@@ -2,6 +2,7 @@
 
 #include "radiosity/model/facet_tree.h"
 #include "radiosity/model/geometry.h"
+#include "radiosity/model/texel_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +56,8 @@ std::vector<Segment> contacts_of(const PixmapModel& model, const FacetTree& tree
 /// Of all plane figures of a pixmap; curved ones are not divided.
 std::vector<Segment> contacts_of(const PixmapModel& model, const FacetTree& tree,
                                  const Pixmap& pixmap) {
-    constexpr std::size_t most_plane = 2;  // a quad that is not quite plane has two facets
     std::vector<Segment> contacts;
-    if (pixmap.facets.size() > most_plane) return contacts;
+    if (is_curved(pixmap)) return contacts;
     for (const std::uint32_t facet : pixmap.facets)
         for (const Segment& contact : contacts_of(model, tree, model.facets[facet]))
             contacts.push_back(contact);

@@ -83,8 +83,10 @@ struct PixmapModel {
     std::vector<Patch> patches;  ///< those with an area
 
     /// Of all texels of all pixmaps. A texel that no figure covers has area 0.
-    std::vector<double> area, share;  ///< world area; the covered part of the texel, 0 .. 1
-    std::vector<dvec3> rho, E;        ///< means over the figures that cover the texel
+    std::vector<double> area, share;      ///< world area; the covered part of the texel, 0 .. 1
+    std::vector<dvec3> rho, E;            ///< means over the figures that cover the texel
+    std::vector<dvec3> middle;            ///< of the covered part, if the texel has an area
+    std::vector<std::uint32_t> facet_of;  ///< that covers most of the texel; none: no_facet
 
     /// Elements [F2]: a texel at a figure's border, of which little is covered, receives light as
     /// one with its nearest neighbour. Light that falls on texel t goes to element nearest[t],

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kind = "radiosity pixmaps";
 /// Also of the form factors: going on must give the same bits.
-constexpr const char* version = "4";
+constexpr const char* version = "5";
 
 /// FNV-1a over 64-bit words, twice with different beginnings.
 class Fingerprint {
