@@ -7,6 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <optional>
+#include <sstream>
+
 namespace gw::apps {
 namespace {
 
@@ -18,12 +22,30 @@ image::Layers layers_of(const radiosity::Saved& saved) {
     return layers;
 }
 
-std::string report(const std::vector<Step>& steps) {
-    std::string text = "shots,seconds,hemicubes,unshot,absorbed,escaped,imbalance\n";
-    for (const Step& s : steps)
-        text += fmt::format("{},{:.3f},{},{:.9g},{:.9g},{:.9g},{:.3g}\n", s.shots, s.seconds,
-                            s.hemicubes, s.unshot, s.absorbed, s.escaped, s.imbalance);
-    return text;
+constexpr const char* curve_file = "convergence.csv";
+constexpr const char* columns = "shots,seconds,hemicubes,unshot,absorbed,escaped,imbalance";
+
+std::string row_of(const Step& s) {
+    return fmt::format("{},{:.3f},{},{:.9g},{:.9g},{:.9g},{:.3g}", s.shots, s.seconds, s.hemicubes,
+                       s.unshot, s.absorbed, s.escaped, s.imbalance);
+}
+
+/// None if row_of did not write it.
+std::optional<Step> step_from(const std::string& row) {
+    Step s;
+    std::istringstream in(row);
+    char comma = 0;
+    in >> s.shots >> comma >> s.seconds >> comma >> s.hemicubes >> comma >> s.unshot >> comma >>
+        s.absorbed >> comma >> s.escaped >> comma >> s.imbalance;
+    if (!in || row_of(s) != row) return std::nullopt;
+    return s;
+}
+
+/// The same state, whenever it was reached.
+bool is_same_state(Step a, const Step& b) {
+    a.seconds = b.seconds;
+    a.hemicubes = b.hemicubes;
+    return row_of(a) == row_of(b);
 }
 
 void put_plot(const std::vector<Step>& steps, const char* name, const char* label, auto x,
@@ -74,9 +96,30 @@ Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes) {
             share(b.escaped),        b.imbalance(), hemicubes};
 }
 
+std::vector<Step> resumed_curve(const std::filesystem::path& folder, const Step& now) {
+    std::ifstream file(folder / curve_file);
+    std::string row;
+    std::vector<Step> steps;
+    if (std::getline(file, row) && row == columns)
+        while (std::getline(file, row)) {
+            const std::optional<Step> step = step_from(row);
+            if (!step) break;
+            steps.push_back(*step);
+            if (is_same_state(*step, now)) return steps;
+        }
+    return {now};
+}
+
+void put_curve(const std::vector<Step>& steps, const std::filesystem::path& folder,
+               image::OutputSet& files) {
+    std::string text = std::string(columns) + "\n";
+    for (const Step& s : steps) text += row_of(s) + "\n";
+    files.add(folder / curve_file).write_text(text);
+}
+
 void put_report(const std::vector<Step>& steps, const std::filesystem::path& folder,
                 image::OutputSet& files) {
-    files.add(folder / "convergence.csv").write_text(report(steps));
+    put_curve(steps, folder, files);
     put_plot(
         steps, "convergence.svg", "shots", [](const Step& s) { return double(s.shots); }, folder,
         files);

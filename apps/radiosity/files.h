@@ -31,6 +31,14 @@ struct Step {
 
 Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes);
 
+/// The curve of `folder`'s convergence.csv up to the state `now`, of a solution that is continued;
+/// `now` alone if no file there has that state.
+std::vector<Step> resumed_curve(const std::filesystem::path& folder, const Step& now);
+
+/// Writes convergence.csv.
+void put_curve(const std::vector<Step>& steps, const std::filesystem::path& folder,
+               image::OutputSet& files);
+
 /// Writes convergence.csv, convergence.svg and convergence_seconds.svg: the unshot share against
 /// shots and seconds.
 void put_report(const std::vector<Step>& steps, const std::filesystem::path& folder,

@@ -18,12 +18,14 @@
 namespace gw::apps {
 namespace {
 
-/// The picture in eight bits, for display.
 image::Picture to_picture(const std::vector<Rgba>& color, const scene::View& view, int bits,
                           double gamma) {
-    image::Picture picture =
-        image::toned(image::picture_of(color, view.width, view.height, bits), {.gamma = gamma});
-    for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(rescale(v, bits, 8));
+    return image::toned(image::picture_of(color, view.width, view.height, bits), {.gamma = gamma});
+}
+
+image::Picture in_eight_bits(image::Picture picture) {
+    for (std::uint16_t& v : picture.values)
+        v = static_cast<std::uint16_t>(rescale(v, picture.bits, 8));
     picture.bits = 8;
     return picture;
 }
@@ -37,6 +39,7 @@ struct Difference {
 
 /// Vertices are snapped, so a strip's outline may lie a 256th of a pixel beside its triangle's.
 /// A pixel whose centre lies between the two shows another figure; `others` marks these pixels.
+/// Pictures of eight bits.
 Difference difference(const image::Picture& a, const image::Picture& b,
                       const std::vector<bool>& others) {
     Difference d{.picture = a};
@@ -146,7 +149,7 @@ std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const s
     }
     const Image texture = draw(solver.model(), colors, view, false),
                 strips = draw(solver.model(), colors, view, true);
-    const Difference d = difference(picture(texture), picture(strips),
+    const Difference d = difference(in_eight_bits(picture(texture)), in_eight_bits(picture(strips)),
                                     other_figures(texture.figures, strips.figures));
     image::put_picture(files.add(with_ending(stem, "_texture.png")), picture(texture));
     image::put_picture(files.add(with_ending(stem, "_strips.png")), picture(strips));

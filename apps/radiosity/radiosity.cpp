@@ -80,7 +80,10 @@ public:
             solver_.resume(
                 load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
         if (options_.resume) saved_shots_ = solver_.solution().shots;
-        steps_.push_back(step_of(solver_, 0, 0));
+        steps_ = {step_of(solver_, 0, 0)};
+        if (options_.resume) steps_ = resumed_curve(options_.output, steps_.front());
+        hemicubes_ = steps_.back().hemicubes;
+        seconds_before_ = steps_.back().seconds;
         folder.commit();
         announce_last_save();
         while (!finished() && shoot()) after_shot();
@@ -102,7 +105,7 @@ private:
         const auto shot = solver_.shoot();
         if (!shot) return false;
         hemicubes_ += shot->hemicubes;
-        steps_.push_back(step_of(solver_, seconds_since(begin_), hemicubes_));
+        steps_.push_back(step_of(solver_, seconds_before_ + seconds_since(begin_), hemicubes_));
         progress_.at(fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots,
                                  100 * steps_.back().unshot));
         return true;
@@ -120,6 +123,7 @@ private:
         if (options_.save && seconds_since(saved_at_) > seconds_between_saves) {
             image::OutputSet files(session_.inputs);
             put_saved(files);
+            put_curve(steps_, options_.output, files);
             files.commit();
             saved_at_ = Clock::now();
             saved_shots_ = solver_.solution().shots;
@@ -225,6 +229,7 @@ private:
     std::optional<std::uint64_t> saved_shots_;  ///< in DIR/pixmaps.exr
     std::vector<Step> steps_;
     int hemicubes_ = 0;
+    double seconds_before_ = 0;  ///< of the run that is continued
     Clock::time_point begin_ = Clock::now(), saved_at_ = begin_;
 };
 

@@ -111,6 +111,7 @@ void LightWorker::shoot() {
     {
         const std::lock_guard lock(mutex_);
         ++light_.shots;
+        if (!is_changed_) light_.shots_before_changes = light_.shots;
         light_.hemicubes += shot->hemicubes;
     }
     publish(fmt::format("shot from {}", name), false);
@@ -122,6 +123,7 @@ void LightWorker::apply_change(const Change& change) {
         apply(change, changed);
         const radiosity::Update done = solver_->update(radiosity::make_model(changed));
         scene_ = std::move(changed);
+        is_changed_ = true;
         {
             const std::lock_guard lock(mutex_);
             light_.hemicubes += done.hemicubes;

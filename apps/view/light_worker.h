@@ -21,10 +21,11 @@ struct Light {
     std::shared_ptr<const radiosity::PixmapModel> model;
     std::shared_ptr<const radiosity::DisplayedPixmaps> colors;
     int shots = 0, hemicubes = 0;
-    double unshot = 1;       ///< share of the emitted energy
-    std::string last;        ///< about the last shot or change
-    std::string fault;       ///< why there is no light, or no change
-    std::uint64_t step = 0;  ///< grows with every shot and change
+    int shots_before_changes = 0;  ///< all, as long as nothing was changed
+    double unshot = 1;             ///< share of the emitted energy
+    std::string last;              ///< about the last shot or change
+    std::string fault;             ///< why there is no light, or no change
+    std::uint64_t step = 0;        ///< grows with every shot and change
 };
 
 class LightWorker {
@@ -56,7 +57,8 @@ private:
     scene::Scene scene_;
     radiosity::SolverOptions options_;
     std::unique_ptr<radiosity::Solver> solver_;
-    bool is_dark_ = false;  ///< nothing is unshot
+    bool is_dark_ = false;     ///< nothing is unshot
+    bool is_changed_ = false;  ///< the scene is not that which the light began with
 
     mutable std::mutex mutex_;
     std::condition_variable wake_;

@@ -224,8 +224,10 @@ void Viewer::save_view() {
         }
         std::string text = scene::to_toml(view);
         if (show_ == Show::Light) {
-            std::string command = "# The light: gw radiosity " + file.filename().string() +
-                                  " -o light --exposure " + fmt::format("{}", exposure_);
+            std::string command = fmt::format(
+                "# The light: gw radiosity {} -o light --profile ideal --shots {} "
+                "--exposure {}",
+                file.filename().string(), light_worker_->light().shots_before_changes, exposure_);
             for (const Change& c : changes_) command += " --change " + word_of(c);
             text = command + "\n" + text;
         }

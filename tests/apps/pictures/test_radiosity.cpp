@@ -2,6 +2,8 @@
 // highlights.
 #include "tests/apps/scene_files.h"
 
+#include <sstream>
+
 namespace gw::apps {
 namespace {
 
@@ -75,6 +77,54 @@ TEST_F(Radiosity, InterruptedLeavesTheLastCompleteSave) {
         EXPECT_TRUE(name.find("shot_") == 0 || std::count(before.begin(), before.end(), name))
             << name;
     EXPECT_EQ(solve({"--resume", "--shots", "4"}).code, 0);
+}
+
+/// The fields of convergence.csv that do not depend on the run: all but seconds and hemicubes, which
+/// are drawn again after a save.
+std::vector<std::string> curve_of(const std::string& csv) {
+    std::vector<std::string> rows;
+    std::istringstream lines(csv);
+    for (std::string row; std::getline(lines, row);) {
+        std::istringstream fields(row);
+        std::string kept;
+        int number = 0;
+        for (std::string field; std::getline(fields, field, ','); ++number)
+            if (number != 1 && number != 2) kept += field + ",";
+        rows.push_back(kept);
+    }
+    return rows;
+}
+
+TEST_F(Radiosity, ResumedGoesOnWithTheCurve) {
+    ASSERT_EQ(solve({"--shots", "7"}).code, 0);
+    const std::vector<std::string> whole = curve_of(bytes_of(in("out/convergence.csv")));
+    EXPECT_EQ(whole.size(), 9u);  // columns, and shots 0 to 7
+    ASSERT_EQ(solve({"--shots", "3", "--save"}).code, 0);
+    ASSERT_EQ(solve({"--shots", "5", "--resume", "--save"}).code, 0);
+    ASSERT_EQ(solve({"--shots", "7", "--resume"}).code, 0);
+    EXPECT_EQ(curve_of(bytes_of(in("out/convergence.csv"))), whole);
+    // The pixmaps have 5 shots.
+    ASSERT_EQ(solve({"--shots", "5", "--resume"}).code, 0);
+    EXPECT_EQ(curve_of(bytes_of(in("out/convergence.csv"))),
+              std::vector(whole.begin(), whole.begin() + 7));
+    write("out/convergence.csv", "not a curve");
+    ASSERT_EQ(solve({"--shots", "6", "--resume"}).code, 0);
+    EXPECT_EQ(curve_of(bytes_of(in("out/convergence.csv"))),
+              (std::vector{whole[0], whole[6], whole[7]}));
+}
+
+/// Bits of a channel in a PNG.
+int bits_of(const std::string& png) { return png.at(24); }
+
+// As every picture: 8 bits stay 8, 12 and 16 become 16.
+TEST_F(Radiosity, PicturesHaveTheBitsOfTheProfile) {
+    for (const auto& [profile, bits] : {std::pair{"vgx", 8}, {"reality", 16}, {"ideal", 16}}) {
+        ASSERT_EQ(solve({"--shots", "1", "--profile", profile, "--display", "both"}).code, 0);
+        for (const char* file : {"out/picture_texture.png", "out/picture_strips.png"})
+            EXPECT_EQ(bits_of(bytes_of(in(file))), bits) << profile << " " << file;
+        ASSERT_EQ(solve({"--shots", "1", "--profile", profile, "--gamma", "2.2"}).code, 0);
+        EXPECT_EQ(bits_of(bytes_of(in("out/picture.png"))), bits) << profile;
+    }
 }
 
 TEST_F(Radiosity, AFullDiskIsSaidAndKeepsTheSave) {

@@ -2,9 +2,13 @@
 // moves, less work is done and said; passes, algorithms and light are those of the layers.
 #include "apps/view/orbit.h"
 #include "apps/view/viewer.h"
+#include "test_paths.h"
 #include "tests/apps/scene_files.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <sstream>
 
 namespace gw::apps {
 namespace {
@@ -279,6 +283,57 @@ TEST_F(ViewerTest, LightGoesOnAfterChanges) {
     const std::string saved = bytes_of(in("room_view_001.toml"));
     EXPECT_NE(saved.find("--change 'lamp:dim=0.8'"), saved.npos) << saved;
     EXPECT_NE(saved.find("--change 'lamp:move="), saved.npos) << saved;
+}
+
+/// The words of the command in a saved view's first line.
+std::vector<std::string> light_command_of(const std::string& view) {
+    std::istringstream line(view.substr(0, view.find('\n')));
+    std::vector<std::string> words;
+    for (std::string word; line >> word;) {
+        std::erase(word, '\'');
+        words.push_back(word);
+    }
+    EXPECT_EQ(std::vector(words.begin(), words.begin() + 4),
+              (std::vector<std::string>{"#", "The", "light:", "gw"}));
+    return {words.begin() + 4, words.end()};
+}
+
+// Whatever the window shows of the light, before it has settled too: exposure, shots, camera, size
+// and the window's profile, which the picture of the light does not have.
+TEST_F(ViewerTest, SavesViewsWhoseLightTheCommandDrawsWithTheSameBits) {
+    int number = 0;
+    const auto expect_same = [&](Viewer& shown, const std::string& picture) {
+        press(shown, {"s", "p"});
+        const std::string name = fmt::format("room_view_{:03}", ++number);
+        const Outcome outcome = gw(light_command_of(bytes_of(in(name + ".toml"))));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(bytes_of(in("light/" + picture)), bytes_of(in(name + ".png")))
+            << bytes_of(in(name + ".toml"));
+    };
+    const auto shown = viewer("room.toml");
+    for (const std::vector<std::string>& keys :
+         std::vector<std::vector<std::string>>{{"n"},
+                                               {"n", "n"},
+                                               {"x"},
+                                               {"X", "X", "X"},
+                                               {"Left", "Up"},
+                                               {"+"},
+                                               {"l", "f", "l"},
+                                               {"l", "g", "1", "a", "l"},
+                                               {"Space"}}) {
+        press(*shown, keys);
+        ASSERT_EQ(shown->show(), Viewer::Show::Light);
+        expect_same(*shown, "picture.png");
+    }
+    const auto large = viewer("room.toml", {.size = {100, 30}});
+    press(*large, {"l"});
+    expect_same(*large, "picture.png");
+    for (int row = 0; row < 30 && large->message() != "lamp times 1.25"; ++row) {
+        large->handle({.kind = Kind::Move, .x = 50, .y = row});
+        large->handle({.kind = Kind::Key, .key = "]"});
+    }
+    large->settle();
+    expect_same(*large, "changed.png");
 }
 
 TEST_F(ViewerTest, SaysWhatCannotBeShown) {
