@@ -39,7 +39,13 @@ AssertionResult compared(const inspect::Recording& recording, const std::filesys
 
 AssertionResult compared_or_updated(const inspect::Recording& recording,
                                     const std::filesystem::path& golden) {
-    if (!updates_goldens()) return compared(recording, golden);
+    if (!updates_goldens()) {
+        if (!std::filesystem::exists(golden))
+            return AssertionFailure() << golden.string()
+                                      << ": there is no golden; GW_UPDATE_GOLDENS=1 in the "
+                                         "environment writes it";
+        return compared(recording, golden);
+    }
     write_golden(recording, golden);
     return AssertionSuccess() << golden.string() << ": written, because GW_UPDATE_GOLDENS is set";
 }
@@ -60,6 +66,10 @@ inspect::Recording recording_of(CommandList list, const Profile& profile, int wi
 void write_golden(const inspect::Recording& recording, const std::filesystem::path& golden) {
     const auto made =
         replayed_manifest_file(recording, inspect::maker_of("reference"), golden, true);
+    std::error_code failed;
+    const std::filesystem::path folder = golden.parent_path();
+    if (!folder.empty()) std::filesystem::create_directories(folder, failed);
+    if (failed) throw Error(folder.string(), 0, "cannot be made: " + failed.message());
     image::OutputSet files;
     files.add(inspect::values_file(golden)).write(made.values);
     files.add(golden).write_text(to_json(made.manifest));
@@ -88,8 +98,9 @@ AssertionResult passes_eq(const CommandList& list, const std::filesystem::path& 
     } catch (const Error& error) {
         return AssertionFailure()
                << error.what()
-               << "\nA list takes its profile and window from the golden; the first one is "
-                  "made by gw::testing::write_golden";
+               << "\nA list takes its profile and window from the golden. The first one is written "
+                  "with GW_UPDATE_GOLDENS=1 for recording_of(list, profile, width, height), or by "
+                  "gw::testing::write_golden";
     }
 }
 

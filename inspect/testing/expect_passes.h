@@ -19,7 +19,7 @@ namespace gw::testing {
 inspect::Recording recording_of(CommandList list, const Profile& profile, int width, int height);
 
 /// Writes "NAME.json" and beside it "NAME.values" with the planes after every pass, by which wrong
-/// pixels are found. Both appear whole or not at all. Throws Error if the list is not valid or a
+/// pixels are found. Makes their folder. Both appear whole or not at all. Throws Error if the list is not valid or a
 /// file cannot be written.
 void write_golden(const inspect::Recording& recording, const std::filesystem::path& golden);
 

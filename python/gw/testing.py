@@ -78,6 +78,7 @@ def expect_passes_equal(
         return
     golden = Path(golden)
     if updates_goldens() if update is None else update:
+        golden.parent.mkdir(parents=True, exist_ok=True)
         recording.save_manifest(golden)
         return
     try:

@@ -49,7 +49,7 @@ def test_a_truncated_file_is_an_error(tmp_path):
 
 def test_a_golden_is_written_by_the_flag_only_and_compared(tmp_path, goldens, monkeypatch):
     monkeypatch.setenv("GW_TESTING_OUTPUT", str(tmp_path / "failures"))
-    golden = tmp_path / "triangle.json"
+    golden = tmp_path / "goldens" / "of lines" / "triangle.json"
     with pytest.raises(pytest.fail.Exception, match="--gw-update-goldens"):
         expect_passes_equal(recorded(), golden)
     assert not golden.exists()

@@ -113,13 +113,25 @@ TEST_F(ExpectPasses, WithoutValuesTheActualPictureIsLeft) {
 }
 
 TEST_F(ExpectPasses, AMissingDamagedOrUnwritableFileIsAFailureThatSaysSo) {
-    EXPECT_THAT(message_of(passes_eq(two_passes(1), golden)), ::testing::HasSubstr("write_golden"));
-    EXPECT_THAT(message_of(passes_eq(recording(1), golden)), ::testing::HasSubstr("two.json"));
+    for (const std::string& missing : {message_of(passes_eq(two_passes(1), golden)),
+                                       message_of(passes_eq(recording(1), golden))}) {
+        EXPECT_THAT(missing, ::testing::HasSubstr("two.json"));
+        EXPECT_THAT(missing, ::testing::HasSubstr("GW_UPDATE_GOLDENS=1"));
+    }
     std::ofstream(golden) << "{ \"format\": 7";
     EXPECT_THAT(message_of(passes_eq(recording(1), golden)), ::testing::HasSubstr("two.json"));
     setenv("GW_UPDATE_GOLDENS", "1", 1);
-    EXPECT_THAT(message_of(passes_eq(recording(1), folder / "none" / "two.json")),
-                ::testing::HasSubstr("none"));
+    std::ofstream(folder / "file");
+    EXPECT_THAT(message_of(passes_eq(recording(1), folder / "file" / "two.json")),
+                ::testing::HasSubstr("file"));
+}
+
+TEST_F(ExpectPasses, UpdatingMakesTheGoldensFolder) {
+    const fs::path deep = folder / "goldens" / "of lines" / "two.json";
+    setenv("GW_UPDATE_GOLDENS", "1", 1);
+    EXPECT_TRUE(passes_eq(recording(200), deep));
+    unsetenv("GW_UPDATE_GOLDENS");
+    EXPECT_PASSES_EQ(two_passes(200), deep);
 }
 
 TEST_F(ExpectPasses, AListThatIsNotValidIsAFailure) {
