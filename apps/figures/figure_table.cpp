@@ -34,6 +34,7 @@ Figure figure_from(const TomlValue& table) {
                               key("row", figure.row),
                               key("title", figure.title),
                               key("text", figure.text),
+                              key("page", figure.page),
                               key("size", size),
                               {"panel", add_panels}});
     if (size == "own")

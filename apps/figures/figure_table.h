@@ -28,6 +28,7 @@ struct Figure {
     std::string title;
     std::string text;  ///< tells the reader where to look; HTML's <, > and & are not special
     std::vector<Panel> panels;
+    std::string page;  ///< a page that a command makes, in the figure's folder; "": none
     std::optional<Size> size = Size{};  ///< none: the commands name their own
 };
 

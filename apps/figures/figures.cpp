@@ -61,7 +61,7 @@ IndexEntry figure_entry(const Figure& figure, const std::filesystem::path& folde
                      .text = figure.text,
                      .pictures = {},
                      .files = {},
-                     .page = {},
+                     .page = figure.page.empty() ? "" : figure.name + "/" + figure.page,
                      .commands = {}};
     for (const RanPanel& ran : panels) {
         for (const Shown& shown : ran.panel->pictures)
@@ -122,8 +122,12 @@ void add_to_index(const fs::path& folder, IndexEntry entry) {
     output.add(folder / "index.html")
         .write_text(index_page(
             index, {"The figures",
-                    "Each command works from the root of the repository. Rows in brackets "
-                    "are those of docs/papers.md."}));
+                    "GW is a graphics workstation in software. It draws by the algorithms of "
+                    "three papers: multi-pass rendering (Kawabata, Watanabe, Sakai), radiosity in "
+                    "pixmaps (Egashira, Satoh, Honda, Mima) and a lecture on hidden surfaces. "
+                    "docs/papers.md says where each of them is, by the rows in brackets; README.md "
+                    "begins with the project. Each command works from the root of the "
+                    "repository."}));
     output.commit();
 }
 

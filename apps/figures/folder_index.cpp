@@ -84,18 +84,28 @@ constexpr const char* mark = "<meta name=\"generator\" content=\"gw index\">";
 
 constexpr const char* style = R"(<style>
 :root { color-scheme: light dark }
-body { font-family: system-ui, sans-serif; max-width: 84em; margin: 1em auto; padding: 0 1em; line-height: 1.4 }
-nav a { margin-right: 1em; white-space: nowrap }
+body { font-family: system-ui, sans-serif; max-width: 84em; margin: 1em auto; padding: 0 1em; line-height: 1.4; overflow-wrap: anywhere }
+nav a { margin-right: 1em; display: inline-block }
 section { margin-top: 2.5em; border-top: 1px solid #8888 }
 h2 small { font-weight: normal; opacity: .75 }
 .panels { display: flex; flex-wrap: wrap; gap: 1em; align-items: flex-start }
-figure { margin: 0; flex: 0 1 24em }
-img { width: 100%; image-rendering: pixelated; background: #fff }
-code { display: block; font-size: 80%; overflow-wrap: anywhere; margin: .4em 0 }
+figure { margin: 0; flex: 0 1 24em; min-width: 0; max-width: 100% }
+figure.plot { flex-basis: 45em; overflow-x: auto }
+figure.plot img { width: 45em }
+img { width: 100%; background: #fff }
+code { display: block; font-size: 80%; margin: .4em 0 }
 .counts, .files { font-size: 80%; opacity: .85 }
 .files a { margin-right: .8em }
 @media print { section { break-inside: avoid } }
 </style>
+<script id="whole-pixels">
+// A small picture is enlarged by a whole factor, each pixel a square; a large one is reduced smoothly.
+addEventListener('load', ({ target: i }) => {
+    if (!(i instanceof HTMLImageElement) || i.closest('.plot')) return
+    const times = Math.floor(i.clientWidth / i.naturalWidth)
+    if (times >= 1) Object.assign(i.style, { width: times * i.naturalWidth + 'px', imageRendering: 'pixelated' })
+}, true)
+</script>
 )";
 
 /// The file's name as part of an address: unusual characters become %XX, byte by byte.
@@ -113,11 +123,13 @@ std::string link(const std::string& file, const std::string& words) {
     return fmt::format("<a href=\"{}\">{}</a>", address_of(file), escaped(words));
 }
 
+/// A plot is as wide as its letters need.
 std::string picture(const Shown& shown) {
     return fmt::format(
-        "<figure><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\" "
+        "<figure{2}><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\" "
         "loading=\"lazy\"></a><figcaption>{1}</figcaption></figure>\n",
-        address_of(shown.file), escaped(shown.label));
+        address_of(shown.file), escaped(shown.label),
+        shown.file.ends_with(".svg") ? " class=\"plot\"" : "");
 }
 
 std::string command(const IndexedCommand& made) {

@@ -16,6 +16,11 @@ protected:
                     << shown.file;
                 EXPECT_NE(page.find("src=\"" + figure.name + "/" + shown.file + "\""), page.npos);
             }
+        EXPECT_EQ(figure.text.find(".html"), std::string::npos) << "a page is a link";
+        if (figure.page.empty()) return;
+        const std::string address = figure.name + "/" + figure.page;
+        EXPECT_TRUE(std::filesystem::exists(in(folder + "/" + address)));
+        EXPECT_NE(page.find("<a href=\"" + address + "\">"), page.npos);
     }
 };
 

@@ -79,6 +79,15 @@ TEST_F(Index, OfAQuizIsTheTeachersOnly) {
     EXPECT_FALSE(fs::exists(in("q/handout/index.html")));
 }
 
+// Letters of a plot are legible at its own width; pictures of pixels are never enlarged by a fraction.
+TEST(FolderIndexes, PlotsAreWideAndPixelsWhole) {
+    const std::string text = index_page({entry_of({"d/a.svg", "d/b.png"}, "d")}, {"title", "text"});
+    EXPECT_NE(text.find("<figure class=\"plot\"><a href=\"a.svg\">"), text.npos);
+    EXPECT_NE(text.find("<figure><a href=\"b.png\">"), text.npos);
+    const std::string style = text.substr(0, text.find("</style>"));
+    EXPECT_EQ(style.find("pixelated"), style.npos);
+}
+
 TEST(FolderIndexes, CannotBeBrokenByNames) {
     IndexEntry entry = entry_of({"d/<b>&\"'.png", "d/a b#?.svg", "elsewhere/c.png"}, "d");
     ASSERT_EQ(entry.pictures.size(), 2u);
