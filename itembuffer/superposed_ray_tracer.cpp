@@ -3,6 +3,7 @@
 #include "multipass/frame/samples.h"
 #include "multipass/frame/superpose.h"
 #include "raytrace/tracer/render.h"
+#include "scene/draw/nearest.h"
 
 #include <algorithm>
 
@@ -11,12 +12,13 @@ namespace gw::itembuffer {
 multipass::Superposition superpose_ray_traced(Machine& machine, const scene::Scene& scene,
                                               const scene::View& view, int samples,
                                               const Options& options, bool weighted) {
+    const scene::View seen = scene::view_for_rays(scene, view);
     scene::Scene now = scene;
     std::optional<raytrace::World> world;
     const auto draw = [&](const multipass::Sample& sample) {
         multipass::move_to(now, scene, sample);
         if (!world || multipass::moves(scene)) world.emplace(now, options.threads);
-        const scene::View through = multipass::view_at(view, sample);
+        const scene::View through = multipass::view_at(seen, sample);
         const raytrace::Tracer tracer(now, *world, through,
                                       {.depth = options.depth, .threads = options.threads});
         const JitterState jitter = multipass::jitter_of(sample, machine.profile().subpixel_bits);

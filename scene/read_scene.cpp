@@ -1,5 +1,7 @@
 #include "scene/read_scene.h"
 
+#include "scene/geometry/far.h"
+#include "scene/geometry/transform.h"
 #include "scene/obj/read_obj.h"
 #include "scene/scene_builder.h"
 #include "scene/text/statements.h"
@@ -19,9 +21,13 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     for (ObjPart& part : file.parts) {
         const Material& material =
             find_material({&materials}, part.material, {file.file, part.material_line});
-        builder.add({.name = part.name}, std::move(part.mesh), material, {file.file, 0});
+        builder.add({.name = part.name, .world_from_object = translation(file.origin)},
+                    std::move(part.mesh), material, {file.file, 0});
     }
-    return {std::move(builder.scene), warnings.lines(), {}, warnings.files()};
+    warn_invisible(builder.scene, path.string(), warnings);
+    const dvec3 origin = far_origin(builder.scene);
+    if (origin != dvec3(0)) count_from(builder.scene, origin);
+    return {std::move(builder.scene), warnings.lines(), {}, warnings.files(), origin};
 }
 
 }  // namespace

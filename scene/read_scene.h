@@ -21,6 +21,9 @@ struct SceneFile {
     std::vector<TomlValue> passes;
     /// Every file that was read: the scene, its OBJ and MTL files. Textures are read later.
     std::vector<std::filesystem::path> files;
+    /// The scene's coordinates are the files' minus this: 0 unless these lie far from 0, as map
+    /// coordinates do (scene/geometry/far.h).
+    dvec3 origin{0};
 };
 
 /// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's

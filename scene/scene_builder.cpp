@@ -51,6 +51,21 @@ const Material& default_material() {
     return material;
 }
 
+bool without_highlights(Material& material) {
+    if (material.illum > 1 || material.Ks == vec3(0) || !material.refl.empty()) return false;
+    material.Ks = vec3(0);
+    material.map_Ks.clear();
+    return true;
+}
+
+void warn_invisible(const Scene& scene, const std::string& file, Warnings& warnings) {
+    for (const Material& material : scene.materials)
+        if (material.d == 0)
+            warnings.add(file, 0, "invisible " + material.name,
+                         "material '" + printable(material.name) +
+                             "' is invisible (d 0, or Tr 1); expected d above 0");
+}
+
 MaterialNames::MaterialNames(const std::vector<Material>& list) : list_(&list) {
     for (const Material& material : list) by_name_.try_emplace(material.name, &material);
 }

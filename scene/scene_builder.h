@@ -4,6 +4,7 @@
 
 #include "gw/mesh.h"
 #include "scene/scene.h"
+#include "scene/text/warnings.h"
 
 #include <initializer_list>
 #include <string_view>
@@ -31,6 +32,13 @@ private:
 
 /// The material of surfaces without one: gw::Material's initial values, named "default".
 const Material& default_material();
+
+/// Drops Ks of a material whose illum is 0 or 1, as MTL says, unless it has a reflection map (which
+/// Ks weighs). Returns whether it had one.
+bool without_highlights(Material& material);
+
+/// Adds a warning for each material in use that cannot be seen.
+void warn_invisible(const Scene& scene, const std::string& file, Warnings& warnings);
 
 /// Materials by name; of several with one name, the first. The list must not change meanwhile.
 class MaterialNames {

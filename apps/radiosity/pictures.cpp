@@ -10,6 +10,7 @@
 #include "radiosity/display/emissive_scene.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/item_buffer.h"
+#include "scene/draw/nearest.h"
 
 #include <fmt/format.h>
 
@@ -84,8 +85,8 @@ RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scen
     }
     const scene::Bounds bounds = scene::bounds(scene);
     for (const scene::Camera& camera : cameras)
-        views_.push_back(scene::make_view(camera, bounds, options.picture.size.width,
-                                          options.picture.size.height));
+        views_.push_back(scene::fitted_view(camera, scene, bounds, options.picture.size.width,
+                                            options.picture.size.height));
 }
 
 RadiosityPictures::Image RadiosityPictures::draw(const radiosity::PixmapModel& model,

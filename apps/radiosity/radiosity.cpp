@@ -7,11 +7,14 @@
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
+#include "apps/render/scene_warnings.h"
 #include "inspect/text/plural.h"
+#include "radiosity/solver/stall.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -58,6 +61,18 @@ void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
     files.commit();
 }
 
+/// The figure that reflects most, and the share that stays.
+std::string why_stalled(const radiosity::PixmapModel& model, const Step& last) {
+    const auto reflectance = [](const radiosity::Figure& figure) {
+        return std::max({figure.rho.x, figure.rho.y, figure.rho.z});
+    };
+    const radiosity::Figure& most = *std::ranges::max_element(model.figures, {}, reflectance);
+    return fmt::format(
+        "stopped after {} shots: {:.4f} of the energy stays unshot, because it neither escapes nor is "
+        "absorbed; '{}' reflects {:g} of its light; expected Kd below 1",
+        last.shots, last.unshot, most.name, reflectance(most));
+}
+
 class Run {
 public:
     Run(const RadiosityOptions& options, Session& session, const scene::Scene& scene,
@@ -66,7 +81,8 @@ public:
           session_(session),
           progress_(progress),
           scene_(scene),
-          solver_(std::move(model), options.solver) {}
+          solver_(std::move(model), options.solver),
+          stall_(solver_.model().patches.size()) {}
 
     int run() {
         image::OutputSet folder;
@@ -97,6 +113,7 @@ private:
 
     bool finished() const {
         const Step& last = steps_.back();
+        if (stalled_) return true;
         return options_.shots >= 0 ? last.shots >= static_cast<std::uint64_t>(options_.shots)
                                    : last.unshot <= options_.until;
     }
@@ -106,6 +123,7 @@ private:
         if (!shot) return false;
         hemicubes_ += shot->hemicubes;
         steps_.push_back(step_of(solver_, seconds_before_ + seconds_since(begin_), hemicubes_));
+        stalled_ = options_.shots < 0 && stall_.after_shot(steps_.back().unshot);
         progress_.at(fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots,
                                  100 * steps_.back().unshot));
         return true;
@@ -156,6 +174,7 @@ private:
         files.commit();
         const Step& last = steps_.back();
         const radiosity::PixmapModel& model = solver_.model();
+        if (stalled_) print_warning(why_stalled(model, last));
         print(fmt::format("{}, {}, {}, {}\n",
                           inspect::plural(model.figures.size(), "figure", "figures"),
                           inspect::plural(model.pixmaps.size(), "pixmap", "pixmaps"),
@@ -212,10 +231,12 @@ private:
     int solve(radiosity::Solver& solver) const {
         const double until = std::max(options_.until, steps_.back().unshot);
         int hemicubes = 0;
+        radiosity::Stall stall(solver.model().patches.size());
         while (unshot(solver) > until) {
             const auto shot = solver.shoot();
             if (!shot) break;
             hemicubes += shot->hemicubes;
+            if (stall.after_shot(unshot(solver))) break;
         }
         return hemicubes;
     }
@@ -225,6 +246,8 @@ private:
     Progress& progress_;
     const scene::Scene& scene_;
     radiosity::Solver solver_;
+    radiosity::Stall stall_;
+    bool stalled_ = false;
     Interruption interruption_;
     std::optional<std::uint64_t> saved_shots_;  ///< in DIR/pixmaps.exr
     std::vector<Step> steps_;
@@ -236,7 +259,14 @@ private:
 int compute(RadiosityOptions options, Session session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
-    const scene::Scene scene = load_scene(options.picture, session);
+    const SceneWithPasses loaded = load_scene_with_passes(options.picture, session);
+    const scene::Scene& scene = loaded.scene;
+    for (auto& [eye, at] : options.views) {
+        eye -= loaded.origin;
+        at -= loaded.origin;
+    }
+    if (!options.picture.quiet)
+        print_warnings_of(scene, options.picture.size, scene::DrawnBy::Depth);
     // One thread draws the hemicubes of a recording, so that their order is fixed.
     options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
     CommandRecorder recorder;

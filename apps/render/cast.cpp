@@ -4,6 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/render/casts.h"
 #include "apps/render/picture_options.h"
+#include "apps/render/scene_warnings.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -70,7 +71,7 @@ int cast(const CastOptions& options, Session& session) {
     if (options.output == options.tests)
         throw UsageError("--output and --tests are the same file; expected two");
     const Progress progress("casting", options.picture.quiet);
-    const scene::Scene scene = load_scene(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session, scene::DrawnBy::Rays);
     session.inputs.check(options.output);
     session.inputs.check(options.tests);
     const Size size = options.picture.size;
@@ -79,6 +80,7 @@ int cast(const CastOptions& options, Session& session) {
     const auto picture = raytrace::cast_picture(*caster, shapes, scene,
                                                 scene::make_view(scene, size.width, size.height),
                                                 options.picture.threads);
+    if (!options.picture.quiet) print_if_empty(scene, picture.color, 8);
     image::OutputSet output(session.inputs);
     image::put_picture(output.add(options.output),
                        image::picture_of(picture.color, size.width, size.height, 8));

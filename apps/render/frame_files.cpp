@@ -4,6 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
+#include "apps/render/scene_warnings.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/manifest/json_of.h"
@@ -107,6 +108,7 @@ Drawing make_drawing(const PictureOptions& options, Session& session) {
     const Renderer& renderer = renderer_named(options.renderer);
     const std::string warning = left_out(renderer, loaded.scene);
     if (!options.quiet && !warning.empty()) print_warning(warning);
+    if (!options.quiet) print_warnings_of(loaded.scene, options.size, renderer.drawn_by);
     return {options, renderer, profile, std::move(loaded.scene), std::move(loaded.passes)};
 }
 
@@ -143,6 +145,8 @@ void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& 
         const inspect::Recording recording = recording_of(drawing, std::move(lists));
         output.add(files.manifest).write_text(to_json(manifest_of(recording, machine->passes())));
     }
+    if (!drawing.options.quiet)
+        print_if_empty(drawing.scene, machine->planes().color, drawing.profile.color_bits);
     if (!files.counters.empty())
         output.add(files.counters)
             .write_text(inspect::totals_json(machine->passes()).dump(2) + "\n");

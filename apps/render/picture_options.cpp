@@ -5,6 +5,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/render/renderers.h"
+#include "apps/render/scene_warnings.h"
 #include "gw/error.h"
 #include "image/textures.h"
 #include "multipass/frame/superpose.h"
@@ -143,6 +144,13 @@ void add_textures(image::InputFiles& inputs, const scene::Scene& scene) {
             for (const scene::Map& map : *maps) inputs.add(map.file);
 }
 
+/// The options' points are the file's (scene::SceneFile::origin).
+scene::CameraOverrides counted_from(scene::CameraOverrides camera, const dvec3& origin) {
+    if (camera.eye) *camera.eye -= origin;
+    if (camera.at) *camera.at -= origin;
+    return camera;
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
@@ -191,15 +199,17 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& s
     for (const std::filesystem::path& read : file.files) session.inputs.add(read);
     add_textures(session.inputs, scene);
     scene::add_defaults(scene, options.size.width, options.size.height);
-    scene.camera = scene::override_camera(*scene.camera, options.camera);
+    scene.camera = scene::override_camera(*scene.camera, counted_from(options.camera, file.origin));
     if (options.up) scene.camera->up = *options.up;
     for (scene::Light& light : scene.lights)
         if (options.shadow && light.shadow != scene::Shadow::None) light.shadow = *options.shadow;
-    return {std::move(scene), std::move(passes)};
+    return {std::move(scene), std::move(passes), file.origin};
 }
 
-scene::Scene load_scene(const PictureOptions& options, Session& session) {
-    return load_scene_with_passes(options, session).scene;
+scene::Scene load_scene(const PictureOptions& options, Session& session, scene::DrawnBy by) {
+    scene::Scene scene = load_scene_with_passes(options, session).scene;
+    if (!options.quiet) print_warnings_of(scene, options.size, by);
+    return scene;
 }
 
 DrawOptions draw_options(const PictureOptions& options) {

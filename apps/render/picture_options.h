@@ -10,6 +10,7 @@
 #include "scene/draw/fit.h"
 #include "scene/draw/view.h"
 #include "scene/scene.h"
+#include "scene/validate/warnings_of.h"
 
 #include <filesystem>
 #include <memory>
@@ -43,12 +44,15 @@ void remove_pass_options(CLI::App& command);
 
 /// Reads the scene and its textures, as inputs of the session. Fits a missing camera and light, and
 /// applies the camera options. Prints the readers' warnings unless quiet. Throws Error.
-scene::Scene load_scene(const PictureOptions& options, Session& session);
+/// Prints also what a picture of the scene that is drawn so will not show.
+scene::Scene load_scene(const PictureOptions& options, Session& session,
+                        scene::DrawnBy by = scene::DrawnBy::Depth);
 
 /// The scene, with its own pass list if it has one.
 struct SceneWithPasses {
     scene::Scene scene;
     std::optional<multipass::PassList> passes;
+    dvec3 origin{0};  ///< scene::SceneFile::origin
 };
 SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& session);
 

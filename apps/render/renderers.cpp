@@ -80,13 +80,15 @@ const std::vector<Renderer>& renderers() {
          "equation 3 at every pixel of a scan line's spans; no shadows",
          draw_scan_lines,
          {},
-         {"translucency", "fog", "glare", "reflection_in_shadow = false"}},
-        {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}},
+         {"translucency", "fog", "glare", "reflection_in_shadow = false"},
+         scene::DrawnBy::Depth},
+        {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}, scene::DrawnBy::Rays},
         {"adaptive",
          "one item buffer, and more rays only at pixels that differ from their neighbours",
          draw_adaptive,
          {},
-         {"translucency", "glare"}},
+         {"translucency", "glare"},
+         scene::DrawnBy::Depth},
     };
     return all;
 }

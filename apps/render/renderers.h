@@ -7,6 +7,7 @@
 #include "multipass/frame/options.h"
 #include "scene/draw/view.h"
 #include "scene/scene.h"
+#include "scene/validate/warnings_of.h"
 
 #include <functional>
 #include <optional>
@@ -33,6 +34,7 @@ struct Renderer {
     std::optional<multipass::Renderer> passes;
     /// Names of scene effects that it does not draw.
     std::vector<std::string> leaves_out{};
+    scene::DrawnBy drawn_by = scene::DrawnBy::Passes;
 };
 
 const std::vector<Renderer>& renderers();

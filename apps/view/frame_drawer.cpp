@@ -7,6 +7,7 @@
 #include "hiddensurface/run/estimate.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "inspect/report/prices.h"
+#include "scene/draw/nearest.h"
 #include "scene/draw/view.h"
 
 #include <fmt/format.h>
@@ -132,7 +133,8 @@ Frame FrameDrawer::draw(const Settings& settings) {
         }
         kept_->drawing->scene.camera = settings.camera;
         const auto [width, height] = settings.picture.size;
-        kept_->draw(scene::make_view(settings.camera, kept_->bounds, width, height));
+        kept_->draw(scene::fitted_view(settings.camera, kept_->drawing->scene, kept_->bounds, width,
+                                       height));
         frame.picture = picture_of(machine);
         add_passes(frame, kept_->sets, machine);
     });

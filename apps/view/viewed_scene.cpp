@@ -21,6 +21,7 @@ ViewedScene load_viewed_scene(const PictureOptions& options, const std::filesyst
     ViewedScene viewed{.file = picture.scene,
                        .scene = std::move(loaded.scene),
                        .passes = std::move(loaded.passes),
+                       .origin = loaded.origin,
                        .folder = folder};
     viewed.has_default_light = has_default_light(viewed.scene, picture.scene);
     for (const Profile& profile : profiles()) viewed.profiles[profile.name] = profile;

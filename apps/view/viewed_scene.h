@@ -18,6 +18,7 @@ struct ViewedScene {
     std::optional<multipass::PassList> passes{};
     /// Its only light is a default one, which the file does not have.
     bool has_default_light = false;
+    dvec3 origin{0};  ///< scene::SceneFile::origin
     std::map<std::string, Profile> profiles{};
     image::InputFiles inputs{};         ///< no saved file replaces one
     std::filesystem::path folder{"."};  ///< where views and pictures are saved

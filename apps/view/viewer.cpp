@@ -216,6 +216,8 @@ void Viewer::save_view() {
         const auto file = free_name(".toml");
         const auto base = std::filesystem::relative(viewed_.file, viewed_.folder);
         scene::SavedView view = saved(settings_, base);
+        view.camera.eye += viewed_.origin;
+        view.camera.at += viewed_.origin;
         if (viewed_.has_default_light) {
             scene::Light light = viewed_.scene.lights.at(0);
             if (!view.lights_off.empty()) light.Ia = light.Id = vec3(0);

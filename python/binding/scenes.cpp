@@ -10,6 +10,8 @@
 #include "scene/read_scene.h"
 #include "scene/scene_builder.h"
 
+#include <fmt/format.h>
+
 namespace gw::python {
 namespace {
 
@@ -21,6 +23,10 @@ Scene open_scene(const std::filesystem::path& file) {
         image::load_textures(loaded.scene);
         return loaded;
     });
+    if (read.origin != dvec3(0))
+        read.warnings.push_back(fmt::format(
+            "{}: lies far from 0; coordinates are counted from ({:.17g}, {:.17g}, {:.17g})",
+            file.string(), read.origin.x, read.origin.y, read.origin.z));
     for (const std::string& warning : read.warnings)
         if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
     return std::move(read.scene);

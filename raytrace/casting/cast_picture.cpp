@@ -4,6 +4,7 @@
 #include "gw/base/parallel.h"
 #include "gw/stages/vertex.h"
 #include "raytrace/tracer/render.h"
+#include "scene/draw/nearest.h"
 #include "scene/draw/shading.h"
 #include "scene/draw/view.h"
 
@@ -55,7 +56,7 @@ CastPicture cast_picture(const RayCaster& caster, const std::vector<CastShape>& 
     for (const scene::Material& m : scene.materials) shader.materials.push_back(plain(m));
     for (const scene::Light& light : scene.lights)
         shader.lights.push_back(scene::eye_light(light, view));
-    const scene::PixelRays rays(view);
+    const scene::PixelRays rays(scene::view_for_rays(scene, view));
     const std::size_t width = std::size_t(view.width), height = std::size_t(view.height);
     CastPicture picture{
         std::vector<Rgba>(width * height), std::vector<std::uint32_t>(width * height), {}};

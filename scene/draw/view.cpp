@@ -4,6 +4,7 @@
 #include "gw/base/elementary.h"
 #include "gw/error.h"
 #include "gw/stages/vertex.h"
+#include "scene/draw/nearest.h"
 
 #include <glm/matrix.hpp>
 
@@ -110,7 +111,7 @@ View make_view(const Camera& camera, const Bounds& bounds, int width, int height
 
 View make_view(const Scene& scene, int width, int height) {
     if (!scene.camera) throw Error("scene '" + scene.name + "' has no camera");
-    return make_view(*scene.camera, bounds(scene), width, height);
+    return fitted_view(*scene.camera, scene, bounds(scene), width, height);
 }
 
 View with_planes(View view, double near_plane, double far_plane) {

@@ -48,9 +48,7 @@ public:
 
     MapStatement read(const std::filesystem::path& folder) {
         while (rest_.size() > 1 && rest_[0] == '-' && rest_[1] >= 'a' && rest_[1] <= 'z') option();
-        if (rest_.empty())
-            in_.fail(std::string(in_.keyword()) +
-                     " names no file; expected options and a file name");
+        if (rest_.empty()) return {};
         result_.map.file = find_file(folder, rest_);
         result_.map.origin = {in_.file(), in_.line()};
         return std::move(result_);

@@ -17,8 +17,8 @@ struct MapStatement {
 };
 
 /// Reads "map_Kd -s 2 2 -clamp on my wood.png"; searches `folder` for the file (find_file). Warns
-/// about options that would change the picture but are not honoured. Throws Error for an unknown
-/// option, a wrong argument, or no file name.
+/// about options that would change the picture but are not honoured. Without a file name, the map's
+/// file is empty. Throws Error for an unknown option or a wrong argument.
 MapStatement read_map(const Statements& in, const std::filesystem::path& folder,
                       Warnings& warnings);
 

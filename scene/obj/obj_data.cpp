@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace gw::scene {
@@ -57,6 +58,12 @@ PartOrder order_by_part(const ObjData& obj) {
     for (std::uint32_t e = 0; e < obj.elements.size(); ++e)
         order.elements[at[obj.elements[e].part]++] = e;
     return order;
+}
+
+void check_finite(const ObjData& obj, std::uint32_t index, const std::vector<NotFinite>& bad) {
+    const auto found = std::ranges::lower_bound(bad, index, {}, &NotFinite::index);
+    if (found != bad.end() && found->index == index)
+        throw Error(obj.file, found->line, found->fault);
 }
 
 void gather_vertices(const ObjData& obj, const std::vector<Corner>& corners, MeshData& mesh) {
@@ -140,15 +147,17 @@ std::string index_fault(std::string_view kind, long long index, std::size_t coun
 
 void check_indices(const ObjData& obj) {
     for (const Element& element : obj.elements) {
-        const auto check = [&](std::string_view kind, std::uint32_t index, std::size_t count) {
+        const auto check = [&](std::string_view kind, std::uint32_t index, std::size_t count,
+                               const std::vector<NotFinite>& bad) {
             if (index != absent && index >= count)
                 throw Error(obj.file, element.line, index_fault(kind, index + 1LL, count));
+            if (!bad.empty()) check_finite(obj, index, bad);
         };
         for (std::uint32_t i = 0; i < element.count; ++i) {
             const Corner& corner = obj.corners[element.first + i];
-            check("v", corner.v, obj.positions.size());
-            check("vt", corner.vt, obj.texcoords.size());
-            check("vn", corner.vn, obj.normals.size());
+            check("v", corner.v, obj.positions.size(), obj.bad_positions);
+            check("vt", corner.vt, obj.texcoords.size(), obj.bad_texcoords);
+            check("vn", corner.vn, obj.normals.size(), obj.bad_normals);
         }
     }
 }

@@ -47,14 +47,25 @@ struct Part {
     std::uint32_t elements = 0, corners = 0;    ///< their numbers
 };
 
+/// A v, vt or vn that is not finite: an error if an element uses it.
+struct NotFinite {
+    std::uint32_t index = 0;
+    int line = 0;
+    std::string fault;
+};
+
 struct ObjData {
     std::string file;
+    dvec3 origin{
+        0};  ///< of the positions: a file far from 0 loses no digits (scene/geometry/far.h)
     std::vector<vec3> positions, normals;
     std::vector<vec2> texcoords;
     std::vector<vec4> colors;  ///< empty, or one for each position
     std::vector<Corner> corners;
     std::vector<Element> elements;
     std::vector<Part> parts;
+    /// in the order of their indices, which a face gives
+    std::vector<NotFinite> bad_positions, bad_texcoords, bad_normals;
 };
 
 /// The state set by OBJ statements (object, group, material, smoothing), and the elements added
@@ -87,7 +98,8 @@ private:
     std::optional<Primitive> part_primitive_;
 };
 
-/// Throws Error, with the element's line, for an index beyond the vertices of the file.
+/// Throws Error, with the element's line, for an index beyond the vertices of the file; with the
+/// vertex's line for one that is not finite.
 void check_indices(const ObjData& obj);
 
 /// The meshes of obj.parts, in their order; polygons in the order of the file. A mesh has one vertex

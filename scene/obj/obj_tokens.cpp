@@ -9,17 +9,30 @@
 namespace gw::scene {
 namespace {
 
+std::string fault_of(std::string_view word, NumberFault fault, std::string_view form) {
+    return "'" + printable(word) + "'" + std::string(fault_text(fault)) + "; expected " +
+           std::string(form);
+}
+
 [[noreturn]] void fail_number(const Statements& in, std::string_view word, NumberFault fault,
                               std::string_view form) {
-    const std::string text = "'" + printable(word) + "'" + std::string(fault_text(fault));
-    in.fail(text + "; expected " + std::string(form));
+    in.fail(fault_of(word, fault, form));
+}
+
+/// The whole word; "1.#IND" and "-1.#QNAN" of older C libraries are not finite.
+FloatText read_word(std::string_view word) {
+    FloatText number = read_float(word.data(), word.data() + word.size());
+    const auto rest = std::size_t(number.end - word.data());
+    if (number.fault == NumberFault::None && rest < word.size())
+        number.fault = word.substr(rest).starts_with("#") && word.find(".#") + 1 == rest
+                           ? NumberFault::NotFinite
+                           : NumberFault::NotANumber;
+    return number;
 }
 
 float read_number(const Statements& in, std::string_view word, std::string_view form) {
-    const char* const end = word.data() + word.size();
-    const FloatText number = read_float(word.data(), end);
+    const FloatText number = read_word(word);
     if (number.fault != NumberFault::None) fail_number(in, word, number.fault, form);
-    if (number.end != end) fail_number(in, word, NumberFault::NotANumber, form);
     return number.value;
 }
 
@@ -50,6 +63,18 @@ std::size_t read_numbers(const Statements& in, std::string_view text, std::span<
     }
     if (count > values.size()) fail_count(in, count, form);
     return count;
+}
+
+std::optional<std::string> not_finite(std::string_view text, std::string_view form) {
+    std::optional<std::string> first;
+    for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+        const FloatText number = read_word(word);
+        if (number.fault == NumberFault::NotFinite && !first)
+            first = fault_of(word, number.fault, form);
+        else if (number.fault != NumberFault::None && number.fault != NumberFault::NotFinite)
+            return std::nullopt;
+    }
+    return first;
 }
 
 void fail_count(const Statements& in, std::size_t count, std::string_view form) {

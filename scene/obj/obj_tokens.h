@@ -4,7 +4,9 @@
 #include "scene/obj/obj_data.h"
 #include "scene/text/statements.h"
 
+#include <optional>
 #include <span>
+#include <string>
 
 namespace gw::scene {
 
@@ -13,6 +15,9 @@ namespace gw::scene {
 /// words; `form` is the expected form, "v x y z".
 std::size_t read_numbers(const Statements& in, std::string_view text, std::span<float> values,
                          std::string_view form);
+
+/// What is wrong with the first number that is not finite; none: all are, or a word is no number.
+std::optional<std::string> not_finite(std::string_view text, std::string_view form);
 
 /// "Kd has 2 numbers; expected Kd r g b"
 [[noreturn]] void fail_count(const Statements& in, std::size_t count, std::string_view form);

@@ -2,6 +2,8 @@
 
 #include "scene/obj/map_options.h"
 #include "scene/obj/obj_tokens.h"
+#include "scene/scene_builder.h"
+#include "scene/text/encoding.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
@@ -59,6 +61,7 @@ public:
             else
                 statement();
         }
+        end_material();
         drop_repeated();
         return std::move(materials_);
     }
@@ -66,9 +69,25 @@ public:
 private:
     void new_material() {
         if (in_.rest().empty()) in_.fail("newmtl has no name; expected newmtl NAME");
+        end_material();
         materials_.emplace_back().name = in_.rest();
         lines_.push_back(in_.line());
+        illum_line_ = 0;
         has_d_ = has_Tr_ = false;
+    }
+
+    // MTL's illum 0 has neither lights nor highlights, 1 has no highlights. We light both.
+    void end_material() {
+        if (illum_line_ == 0) return;
+        Material& material = materials_.back();
+        const std::string name = "material '" + printable(material.name) + "': illum ";
+        if (material.illum == 0)
+            warnings_.add(in_.file(), illum_line_, "illum 0",
+                          name + "0 (constant colour) is read as 1 (lit, without highlights)");
+        if (!without_highlights(material) || material.illum == 0) return;
+        warnings_.add(in_.file(), illum_line_, "illum Ks",
+                      name + std::to_string(material.illum) +
+                          " has no highlights: Ks is not used; expected illum 2 for highlights");
     }
 
     // The first material of a name counts, as the first of several libraries does.
@@ -100,9 +119,10 @@ private:
             dissolve(material);
         else if (keyword_ == "tr")
             transparency(material);
-        else if (keyword_ == "illum")
+        else if (keyword_ == "illum") {
             material.illum = illumination();
-        else
+            illum_line_ = in_.line();
+        } else
             other();
     }
 
@@ -192,6 +212,8 @@ private:
 
     void add_map(std::vector<Map>& list) {
         const MapStatement statement = read_map(in_, folder_, warnings_);
+        if (statement.map.file.empty())
+            return warn(keyword_, std::string(in_.keyword()) + " names no file: left out");
         if (keyword_ == "refl" && !statement.type.empty() && statement.type != "sphere")
             in_.fail("refl -type " + printable(statement.type) +
                      " is not supported; expected refl -type sphere");
@@ -212,6 +234,7 @@ private:
     std::string keyword_;
     std::vector<Material> materials_;
     std::vector<int> lines_;
+    int illum_line_ = 0;  ///< of the last material; 0: it has no illum
     bool has_d_ = false, has_Tr_ = false;
 };
 
@@ -219,7 +242,7 @@ private:
 
 std::vector<Material> read_mtl(const std::filesystem::path& path, Warnings& warnings) {
     warnings.add_file(path);
-    const std::string text = read_text(path);
+    const std::string text = utf8_of_statements(path.string(), read_text(path));
     return MtlReader(path, text, warnings).read();
 }
 

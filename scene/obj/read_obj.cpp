@@ -1,16 +1,21 @@
 #include "scene/obj/read_obj.h"
 
+#include "scene/geometry/far.h"
 #include "scene/geometry/normals.h"
 #include "scene/obj/obj_data.h"
 #include "scene/obj/obj_tokens.h"
 #include "scene/obj/read_mtl.h"
+#include "scene/text/encoding.h"
+#include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <optional>
 #include <set>
+#include <span>
 
 namespace gw::scene {
 namespace {
@@ -29,16 +34,23 @@ constexpr std::size_t longest_library_name = 255;
 
 class ObjReader {
 public:
-    ObjReader(const std::filesystem::path& path, std::string_view text, Warnings& warnings)
+    /// Positions are read relative to `origin`.
+    ObjReader(const std::filesystem::path& path, std::string_view text, const dvec3& origin,
+              Warnings& warnings)
         : folder_(path.parent_path()), in_(path.string(), text), warnings_(warnings) {
         build_.obj.file = in_.file();
+        build_.obj.origin = origin;
     }
 
     ObjData read() {
         while (in_.next()) statement();
-        if (build_.obj.elements.empty())
+        const ObjData& obj = build_.obj;
+        if (obj.elements.empty()) {
+            for (const auto* bad : {&obj.bad_positions, &obj.bad_texcoords, &obj.bad_normals})
+                if (!bad->empty()) throw Error(in_.file(), bad->front().line, bad->front().fault);
             throw Error(in_.file(), 0, "has nothing to draw; expected f, l or p statements");
-        check_indices(build_.obj);
+        }
+        check_indices(obj);
         return std::move(build_.obj);
     }
     std::vector<Material> take_materials() { return std::move(materials_); }
@@ -51,49 +63,86 @@ private:
     static const std::array<Keyword, 12> keywords;
 
     void statement() {
-        for (const Keyword& keyword : keywords)
-            if (in_.keyword() == keyword.name) return (this->*keyword.read)();
-        for (const std::string_view name : obj_not_honoured)
-            if (in_.keyword() == name)
-                return warn(name, std::string(name) + " statements are not drawn");
+        if (read_as(in_.keyword()) || read_as(lower(in_.keyword()))) return;
         std::vector<std::string> known(obj_not_honoured.begin(), obj_not_honoured.end());
         for (const Keyword& keyword : keywords) known.emplace_back(keyword.name);
         in_.fail(unknown("statement", in_.keyword(), known));
+    }
+
+    bool read_as(std::string_view name) {
+        for (const Keyword& keyword : keywords)
+            if (name == keyword.name) {
+                (this->*keyword.read)();
+                return true;
+            }
+        if (std::ranges::find(obj_not_honoured, name) == obj_not_honoured.end()) return false;
+        warn(name, std::string(name) + " statements are not drawn");
+        return true;
     }
 
     void warn(std::string_view kind, std::string_view text) {
         warnings_.add(in_.file(), in_.line(), std::string(kind), text);
     }
 
+    /// The numbers of a v, vt or vn. None if one of them is not finite, which counts when it is used.
+    std::optional<std::size_t> numbers(std::span<float> n, std::size_t index,
+                                       std::vector<NotFinite>& bad, std::string_view form) {
+        try {
+            return read_numbers(in_, in_.rest(), n, form);
+        } catch (const Error&) {
+            auto fault = not_finite(in_.rest(), form);
+            if (!fault) throw;
+            bad.push_back({static_cast<std::uint32_t>(index), in_.line(), std::move(*fault)});
+            return std::nullopt;
+        }
+    }
+
     void position() {
         constexpr std::string_view form = "v x y z, v x y z w, v x y z r g b or v x y z r g b a";
         std::array<float, 7> n{0, 0, 0, 1, 1, 1, 1};
-        const std::size_t count = read_numbers(in_, in_.rest(), n, form);
+        ObjData& obj = build_.obj;
+        const auto read = numbers(n, obj.positions.size(), obj.bad_positions, form);
+        const std::size_t count = read.value_or(3);
         if (count < 3 || count == 5) fail_count(in_, count, form);
         if (count == 4 && n[3] != 1) warn("w", "the weight w of v is not used");
-        ObjData& obj = build_.obj;
-        obj.positions.emplace_back(n[0], n[1], n[2]);
+        obj.positions.push_back(read ? place(n) : vec3(0));
         if (count < 6 && obj.colors.empty()) return;
         obj.colors.resize(obj.positions.size(), vec4(1, 1, 1, 1));
         if (count >= 6) obj.colors.back() = {n[3], n[4], n[5], n[6]};
     }
 
+    /// The position as far from the file's origin as in the text.
+    vec3 place(const std::array<float, 7>& n) const {
+        vec3 p(n[0], n[1], n[2]);
+        if (build_.obj.origin == dvec3(0)) return p;
+        std::string_view rest = in_.rest();
+        for (int k = 0; k < 3; ++k) {
+            std::string_view word = take_word(rest);
+            if (word.starts_with('+')) word.remove_prefix(1);
+            p[k] =
+                float(read_double(word).value_or(double(n[std::size_t(k)])) - build_.obj.origin[k]);
+        }
+        return p;
+    }
+
     void texcoord() {
         constexpr std::string_view form = "vt s, vt s t or vt s t r";
         std::array<float, 3> n{};
-        if (const std::size_t count = read_numbers(in_, in_.rest(), n, form); count < 1)
-            fail_count(in_, count, form);
-        build_.obj.texcoords.emplace_back(n[0], n[1]);
+        ObjData& obj = build_.obj;
+        const auto read = numbers(n, obj.texcoords.size(), obj.bad_texcoords, form);
+        if (read && *read < 1) fail_count(in_, *read, form);
+        obj.texcoords.emplace_back(read ? vec2(n[0], n[1]) : vec2(0));
     }
 
     void normal() {
         constexpr std::string_view form = "vn x y z";
         std::array<float, 3> n{};
-        if (const std::size_t count = read_numbers(in_, in_.rest(), n, form); count < 3)
-            fail_count(in_, count, form);
+        ObjData& obj = build_.obj;
+        const auto read = numbers(n, obj.normals.size(), obj.bad_normals, form);
+        if (read && *read < 3) fail_count(in_, *read, form);
         if (n == std::array<float, 3>{})
             warn("vn", "vn of length 0: the faces' own normals stand in");
-        build_.obj.normals.emplace_back(n[0], n[1], n[2]);
+        obj.normals.emplace_back(n[0], n[1], n[2]);
     }
 
     // Appends the statement's corners; returns their number.
@@ -192,18 +241,29 @@ const std::array<ObjReader::Keyword, 12> ObjReader::keywords{{
     {"fo", &ObjReader::face},
 }};
 
+/// A v that no element uses does not count: some files begin with one at 0.
+Bounds box_of_corners(const ObjData& obj) {
+    Bounds box;
+    for (const Corner& corner : obj.corners) extend(box, dvec3(obj.positions[corner.v]));
+    return box;
+}
+
 }  // namespace
 
 ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings) {
     warnings.add_file(path);
-    const std::string text = read_text(path);
-    ObjReader reader(path, text, warnings);
+    const std::string text = utf8_of_statements(path.string(), read_text(path));
+    ObjReader reader(path, text, dvec3(0), warnings);
     ObjData obj = reader.read();
+    if (const dvec3 origin = far_origin(box_of_corners(obj)); origin != dvec3(0)) {
+        Warnings again;
+        obj = ObjReader(path, text, origin, again).read();
+    }
     if (options.crease)
         for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
     add_normals(obj, options.crease.value_or(default_crease));
 
-    ObjFile file{path.string(), {}, reader.take_materials()};
+    ObjFile file{path.string(), obj.origin, {}, reader.take_materials()};
     std::vector<MeshData> meshes = make_meshes(obj);
     for (std::size_t p = 0; p < meshes.size(); ++p) {
         const Part& part = obj.parts[p];

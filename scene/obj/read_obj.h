@@ -29,6 +29,8 @@ struct ObjPart {
 
 struct ObjFile {
     std::string file;
+    /// of all positions: 0 unless the file lies far from 0, as maps do (scene/geometry/far.h)
+    dvec3 origin{0};
     std::vector<ObjPart> parts;       ///< in the order of their first elements; at least one
     std::vector<Material> materials;  ///< of every mtllib, in order
 };

@@ -1,6 +1,7 @@
 #include "scene/text/text_file.h"
 
 #include "gw/error.h"
+#include "scene/text/encoding.h"
 #include "scene/text/statements.h"
 
 #include <unistd.h>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <memory>
 #include <system_error>
+#include <vector>
 
 namespace gw::scene {
 
@@ -111,11 +113,15 @@ fs::path named_path(const fs::path& folder, std::string_view name) {
 }
 
 std::optional<fs::path> existing_file(const fs::path& folder, std::string_view name) {
-    const fs::path as_written = named_path(folder, name);
+    const fs::path as_written = named_path(folder, name), relative = named_path({}, name);
     if (file_exists(as_written)) return as_written;
-    const fs::path found = path_without_case(folder, named_path({}, name));
-    if (found.empty() || !file_exists(found)) return std::nullopt;
-    return found.lexically_normal();
+    std::vector<fs::path> spellings{relative};
+    if (const auto bytes = shift_jis_name(relative.string())) spellings.emplace_back(*bytes);
+    for (const fs::path& spelling : spellings) {
+        const fs::path found = path_without_case(folder, spelling);
+        if (!found.empty() && file_exists(found)) return found.lexically_normal();
+    }
+    return std::nullopt;
 }
 
 fs::path find_file(const fs::path& folder, std::string_view name) {

@@ -26,7 +26,7 @@ std::string file_fault(const std::filesystem::path& path);
 /// The path that a file in `folder` means by a name: quotes taken off, '\' read as '/'.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name);
 
-/// The same if it exists, or exists when case is disregarded.
+/// The same if it exists, or exists when case is disregarded or the name is in Shift-JIS.
 std::optional<std::filesystem::path> existing_file(const std::filesystem::path& folder,
                                                    std::string_view name);
 

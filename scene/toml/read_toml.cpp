@@ -1,3 +1,4 @@
+#include "scene/geometry/far.h"
 #include "scene/obj/read_mtl.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -102,8 +103,15 @@ SceneFile read_toml(const std::filesystem::path& path) {
         scene.lights.push_back(to_light(*light));
         if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());
     }
+    const dvec3 origin = far_origin(scene);
+    if (origin != dvec3(0)) {
+        count_from(scene, origin);
+        for (std::size_t i = 0; i < lights.size(); ++i)
+            scene.lights[i] = to_light(*lights[i], origin);
+    }
+    warn_invisible(scene, path.string(), warnings);
     warnings.add_file(path);
-    SceneFile result{std::move(scene), warnings.lines(), {}, warnings.files()};
+    SceneFile result{std::move(scene), warnings.lines(), {}, warnings.files(), origin};
     for (const TomlValue* pass : passes) result.passes.push_back(*pass);
     check_passes(result.passes, reader.names());
     return result;

@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 #include "scene/geometry/divide.h"
+#include "scene/geometry/transform.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -164,6 +165,8 @@ void TomlObjects::add_shape(ObjectTable& object) {
 
 void TomlObjects::add_file(ObjectTable& object) {
     const SourceFile& source = file_of(object);
+    if (const dvec3& origin = source.file.origin; origin != dvec3(0))
+        object.placed.world_from_object = object.placed.world_from_object * translation(origin);
     std::set<std::string> wanted;
     if (object.parts)
         for (std::string& part : to_strings(*object.parts)) {

@@ -1,6 +1,7 @@
 // Reads [camera], [fog], [[light]] and [material.NAME].
 #include "scene/toml/toml_sections.h"
 
+#include "scene/scene_builder.h"
 #include "scene/text/text_file.h"
 
 namespace gw::scene {
@@ -166,7 +167,7 @@ Fog to_fog(const TomlValue& table) {
     return fog;
 }
 
-Light to_light(const TomlValue& table) {
+Light to_light(const TomlValue& table, const dvec3& origin) {
     Light light;
     if (!table.find("kind")) light.kind = kind_of(table);
     read_table(table,
@@ -190,6 +191,8 @@ Light to_light(const TomlValue& table) {
                    {"only", [&](const TomlValue& value) { read_names(value, light.only); }},
                });
     check_kind(table, light);
+    if (light.kind != LightKind::Directional && origin != dvec3(0))
+        light.position = vec3(to_dvec3(*table.find("position")) - origin);
     return light;
 }
 
@@ -213,6 +216,7 @@ void read_material(const TomlValue& table, Material& material) {
                           map_key("refl", material.refl, MapKind::Sphere),
                           map_key("refraction", material.refraction, MapKind::Sphere),
                       });
+    if (table.find("illum")) without_highlights(material);
     if (!table.find("Tr")) return;
     if (table.find("d")) table.find("Tr")->fail("Tr beside d; expected one of them (Tr = 1 - d)");
     material.d = 1 - Tr;

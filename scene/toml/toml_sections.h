@@ -12,7 +12,8 @@ namespace gw::scene {
 SceneFile read_toml(const std::filesystem::path& path);
 
 Camera to_camera(const TomlValue& table);
-Light to_light(const TomlValue& table);
+/// Its position is counted from `origin` (scene/geometry/far.h).
+Light to_light(const TomlValue& table, const dvec3& origin = dvec3(0));
 Fog to_fog(const TomlValue& table);
 
 /// Changes the fields of `material` whose keys the table has.

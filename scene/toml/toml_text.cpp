@@ -1,8 +1,10 @@
 #include "scene/toml/toml_text.h"
 
 #include "gw/error.h"
+#include "scene/text/encoding.h"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 namespace gw::scene {
@@ -41,9 +43,24 @@ private:
             fail(
                 "a character beyond ASCII outside of a string; expected quotation marks around it");
         if (is_space(c) || c == ',' || c == ']' || c == '}') word_ = false;
+        if (c == '.' && value_) check_point();
         if (!word_) structure(c);
         if (c != ' ' && c != '\t' && c != '\r') before_ = c;
         ++at_;
+    }
+
+    /// TOML has digits on both sides of a number's point.
+    void check_point() const {
+        const auto is_digit = [&](std::size_t at) {
+            return at < text_.size() && text_[at] >= '0' && text_[at] <= '9';
+        };
+        const bool before = at_ > 0 && is_digit(at_ - 1), after = is_digit(at_ + 1);
+        const bool ends =
+            at_ + 1 == text_.size() ||
+            std::string_view(" \t\r\n,]}eE").find(text_[at_ + 1]) != std::string_view::npos;
+        if (before == after || (before && !ends)) return;
+        fail(before ? "a number ends with its point; expected a digit after it: 1.0, not 1."
+                    : "a number begins with its point; expected a digit before it: 0.1, not .1");
     }
 
     void structure(char c) {
@@ -180,7 +197,16 @@ private:
 
 std::string toml_text(const std::string& file, std::string text,
                       std::vector<std::size_t>* headers) {
-    Walk(file, text, headers).run();
+    constexpr std::string_view not_utf8 = "is not UTF-8; expected UTF-8 text";
+    const std::optional<int> foreign = line_beyond_utf8(text);
+    try {
+        Walk(file, text, headers).run();
+    } catch (const Error&) {
+        if (foreign) throw Error(file, *foreign, not_utf8);
+        throw;
+    }
+    if (foreign)
+        if (const auto line = line_beyond_utf8(text)) throw Error(file, *line, not_utf8);
     return text;
 }
 

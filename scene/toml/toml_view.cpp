@@ -1,6 +1,7 @@
 #include "scene/toml/toml_view.h"
 
 #include "gw/error.h"
+#include "scene/geometry/far.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -115,7 +116,11 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
                {
                    {"base", [](const TomlValue&) {}},
                    key("name", scene.name),
-                   {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
+                   {"camera",
+                    [&](const TomlValue& value) {
+                        scene.camera = to_camera(value);
+                        count_from(*scene.camera, result.origin);
+                    }},
                    {"fog",
                     [&](const TomlValue& value) {
                         if (value.kind == TomlKind::Boolean)
@@ -129,7 +134,7 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
                     [&](const TomlValue& value) {
                         if (value.kind != TomlKind::Array) value.fail_expected("[[light]]");
                         for (const TomlValue& light : value.elements)
-                            added.push_back(to_light(light));
+                            added.push_back(to_light(light, result.origin));
                     }},
                    {"picture",
                     [&](const TomlValue& value) {

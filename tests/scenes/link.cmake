@@ -1,2 +1,2 @@
-# The share of glossy pixels of fig9 is drawn.
-set(link gw::multipass)
+# The share of glossy pixels of fig9 is drawn, and scenes that say the same are drawn by every renderer.
+set(link gw::multipass gw::itembuffer gw::hiddensurface)

@@ -155,8 +155,30 @@ TEST_F(Mtl, RefusesWhatIsWrong) {
     EXPECT_EQ(fault_of("illum 1.5"), "m.mtl:2: illum is '1.5'; expected a whole number 0 .. 10");
     EXPECT_EQ(fault_of("d -halo"), "m.mtl:2: d has 0 numbers; expected d 0 .. 1");
     EXPECT_EQ(fault_of("Kx 1 1 1"), "m.mtl:2: unknown statement 'Kx'; the nearest known is 'Ka'");
-    EXPECT_EQ(fault_of("map_Kd"),
-              "m.mtl:2: map_Kd names no file; expected options and a file name");
+}
+
+TEST_F(Mtl, LeavesOutAMapWithoutAName) {
+    const Material m = one("map_Kd\nmap_Ks -clamp on\nKd 0.5");
+    EXPECT_TRUE(m.map_Kd.empty() && m.map_Ks.empty());
+    EXPECT_EQ(m.Kd, vec3(0.5f));
+    EXPECT_EQ(warned(), (Strings{"m.mtl:2: map_Kd names no file: left out",
+                                 "m.mtl:3: map_Ks names no file: left out"}));
+}
+
+TEST_F(Mtl, HasNoHighlightsBelowIllum2) {
+    EXPECT_EQ(one("Ks 1\nillum 1").Ks, vec3(0));
+    EXPECT_EQ(warned(), Strings{"m.mtl:3: material 'm': illum 1 has no highlights: Ks is not used; "
+                                "expected illum 2 for highlights"});
+    EXPECT_EQ(one("illum 1\nKs 1").Ks, vec3(0)) << "in either order";
+    EXPECT_EQ(one("illum 0\nKs 1").Ks, vec3(0));
+    EXPECT_EQ(warned().at(0),
+              "m.mtl:2: material 'm': illum 0 (constant colour) is read as 1 (lit, without "
+              "highlights)");
+    EXPECT_EQ(one("Ks 1\nillum 1\nrefl a.png").Ks, vec3(1)) << "Ks weighs the reflection";
+    EXPECT_EQ(one("Ks 1\nillum 2").Ks, vec3(1));
+    EXPECT_EQ(one("Ks 1").Ks, vec3(1));
+    one("Ks 0\nillum 1");
+    EXPECT_EQ(warned(), Strings());
 }
 
 TEST_F(Mtl, RefusesOtherColourSystemsAndCubeMaps) {

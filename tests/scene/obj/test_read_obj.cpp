@@ -158,4 +158,24 @@ TEST(ReadObj, WarnsOncePerKindOfWhatItDoesNotDraw) {
                                           "m.obj:7: the weight w of v is not used"}));
 }
 
+TEST(ReadObj, TakesKeywordsInAnyCase) {
+    Folder folder;
+    const ObjFile file = folder.obj(
+        "V 0 0 0\nV 1 0 0\nv 0 1 0\nVT 0 0\nVN 0 0 1\nG a\nUSEMTL (null)\nF 1/1/1 2/1/1 3/1/1\n");
+    EXPECT_EQ(file.parts.at(0).name, "a");
+    EXPECT_EQ(file.parts.at(0).mesh.positions.size(), 3u);
+    EXPECT_EQ(folder.warnings(), Strings());
+}
+
+TEST(ReadObj, WarnsOfMaterialsThatCannotBeSeen) {
+    Folder folder;
+    folder.write("m.mtl", "newmtl a\nTr 1\nnewmtl unused\nd 0\nnewmtl b\nd 0.1\n");
+    const auto file = folder.write(
+        "s.obj", "mtllib m.mtl\n" + triangle + "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n");
+    Strings lines = read_scene(file).warnings;
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(folder.relative(lines[0]),
+              "s.obj: material 'a' is invisible (d 0, or Tr 1); expected d above 0");
+}
+
 }  // namespace gw::scene

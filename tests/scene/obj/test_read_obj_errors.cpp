@@ -33,6 +33,22 @@ TEST_F(ObjError, NumbersThatAreNone) {
               "m.obj:1: 'x' is not a number; expected vt s, vt s t or vt s t r");
 }
 
+TEST_F(ObjError, NumbersThatAreNotFiniteCountWhereTheyAreUsed) {
+    for (const std::string nan : {"nan", "-nan(ind)", "inf", "1.#QNAN", "-1.#IND"}) {
+        const std::string bad = "vn " + nan + " 0 0\nvt " + nan + "\nv 0 0 " + nan + "\n";
+        const std::string text = triangle + "vt 0 0\nvn 0 0 1\n" + bad;
+        EXPECT_EQ(folder.obj_error(text + "f 1/1/1 2/1/1 3/1/1\n"), "no error") << nan;
+        const std::string fault = " '" + nan + "' is not finite; expected ";
+        EXPECT_EQ(folder.obj_error(text + "f 1/1/1 2/1/1 3/1/2\n"),
+                  "m.obj:6:" + fault + "vn x y z");
+        EXPECT_EQ(folder.obj_error(text + "f 1/1/1 2/2/1 3/1/1\n"),
+                  "m.obj:7:" + fault + "vt s, vt s t or vt s t r");
+        EXPECT_EQ(folder.obj_error(text + "f 1 2 4\n"), "m.obj:8:" + fault + (v_forms + 9));
+    }
+    EXPECT_EQ(after_triangle("v nan x 0\nf 1 2 3"),
+              std::string("m.obj:4: 'nan' is not finite; ") + v_forms);
+}
+
 TEST_F(ObjError, MissingAndSurplusCoordinates) {
     EXPECT_EQ(folder.obj_error("v 1 2\n"), std::string("m.obj:1: v has 2 numbers; ") + v_forms);
     EXPECT_EQ(folder.obj_error("v 1 2 3 4 5\n"),

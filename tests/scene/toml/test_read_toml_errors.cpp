@@ -31,6 +31,14 @@ TEST_F(TomlError, Syntax) {
     EXPECT_EQ(fault("\n\na = \n").substr(0, 9), "s.toml:3:");
     EXPECT_EQ(fault("[fog]\n[fog]\n").substr(0, 9), "s.toml:2:");
     EXPECT_EQ(fault("name = '\xff'\n").substr(0, 9), "s.toml:1:");
+    EXPECT_EQ(fault("\nname = '\xff'\n"), "s.toml:2: is not UTF-8; expected UTF-8 text");
+    EXPECT_EQ(fault("name = \"\x95\x5c\"\n"), "s.toml:1: is not UTF-8; expected UTF-8 text");
+    EXPECT_EQ(fault("texels = .5\n"),
+              "s.toml:1: a number begins with its point; expected a digit before it: 0.1, not .1");
+    EXPECT_EQ(fault("[camera]\neye = [1, -.5, 2]\n"),
+              "s.toml:2: a number begins with its point; expected a digit before it: 0.1, not .1");
+    EXPECT_EQ(fault("[camera]\neye = [1, 5., 2]\n"),
+              "s.toml:2: a number ends with its point; expected a digit after it: 1.0, not 1.");
     // Texts that toml++ asserts to be impossible.
     EXPECT_EQ(fault("[=]\n").substr(0, 9), "s.toml:1:");
     EXPECT_EQ(fault(std::string("\n[\0[light]]\n", 12)).substr(0, 9), "s.toml:2:");

@@ -1,0 +1,41 @@
+// What of a scene stands nearest before the eye, within the picture, and views that spare it. Does
+// not draw.
+#pragma once
+
+#include "scene/draw/view.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace gw::scene {
+
+struct Nearest {
+    std::size_t object = 0;
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The face, line or point in the view's window that comes nearest to the eye's plane, of those
+/// nearer than `limit`, whatever the view's planes are; none: the distance is infinite. Objects that
+/// move count where they begin, are and end.
+Nearest nearest_in(const View& view, const Scene& scene, double limit);
+
+/// The camera's view of a scene whose bounds these are. If something in the window stands nearer than
+/// the fitted near plane (make_view), near comes before it, down to a 65536th of far. A fitted far
+/// plane lies behind objects that move.
+View fitted_view(const Camera& camera, const Scene& scene, const Bounds& bounds, int width,
+                 int height);
+
+/// What the near plane of fitted_view still cuts off; none: nothing, or the camera of the scene has
+/// a near plane of its own.
+std::optional<Nearest> cut_by_near(const Scene& scene, const View& view);
+
+/// "object 'wall' is cut off ...", for renderers with a near plane; empty: nothing is cut off.
+std::string near_warning(const Scene& scene, const View& view);
+
+/// The view for rays, which need no near plane: one that cuts nothing off.
+View view_for_rays(const Scene& scene, const View& view);
+
+}  // namespace gw::scene

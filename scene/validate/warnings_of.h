@@ -1,0 +1,29 @@
+// What a picture of a scene will not show, or not show right: one line each, for people. Valid scenes
+// only; errors are the readers'. Does not print.
+#pragma once
+
+#include "gw/machine.h"
+#include "scene/draw/view.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace gw::scene {
+
+/// How a picture is found.
+enum class DrawnBy {
+    Passes,  ///< with a near plane; lines and points too
+    Depth,   ///< with a near plane; faces only
+    Rays,    ///< faces only
+};
+
+/// The lines for this scene and view: objects that the near plane cuts off, coincident objects, lines
+/// and points that are left out. Empty: nothing to say.
+std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
+
+/// A line if no pixel differs from the background though the scene has objects; empty: some do.
+std::string empty_picture(const Scene& scene, std::span<const Rgba> picture, int color_bits);
+
+}  // namespace gw::scene

@@ -1,0 +1,90 @@
+// Claims: what a picture cannot show right is said in one line that names the objects.
+#include "scene/validate/warnings_of.h"
+
+#include <gtest/gtest.h>
+
+#include "scene/draw/fit.h"
+#include "scene/validate/coincident.h"
+#include "tests/scene/folder.h"
+
+namespace gw::scene {
+namespace {
+
+void add_quad(Scene& scene, const std::string& name, const std::vector<vec3>& corners) {
+    Object object{.name = name,
+                  .mesh = make_mesh({.primitive = Primitive::Quads, .positions = corners}),
+                  .material = scene.materials.size()};
+    scene.objects.push_back(object);
+    scene.materials.push_back({.name = name});
+}
+
+std::vector<vec3> level(float y, float half, bool down, float x = 0) {
+    std::vector<vec3> corners{
+        {x - half, y, -half}, {x - half, y, half}, {x + half, y, half}, {x + half, y, -half}};
+    if (down) std::swap(corners[1], corners[3]);
+    return corners;
+}
+
+Scene room(float lamp_y, bool lamp_first, bool lamp_down = true, float x = 0) {
+    Scene scene;
+    if (lamp_first) add_quad(scene, "lamp", level(lamp_y, 65, lamp_down, x));
+    add_quad(scene, "ceiling", level(548.8f, 278, true));
+    if (!lamp_first) add_quad(scene, "lamp", level(lamp_y, 65, lamp_down, x));
+    return scene;
+}
+
+using Pair = std::pair<std::size_t, std::size_t>;
+
+TEST(Coincident, ALampInTheCeilingsPlaneInEitherOrder) {
+    EXPECT_EQ(coincident_objects(room(548.8f, true)), (Pair{0, 1}));
+    EXPECT_EQ(coincident_objects(room(548.8f, false)), (Pair{0, 1}));
+    EXPECT_FALSE(coincident_objects(room(548.7f, true))) << "a little below it";
+}
+
+TEST(Coincident, NotABoxOnAFloor) {
+    EXPECT_FALSE(coincident_objects(room(548.8f, true, false))) << "they look opposite ways";
+    EXPECT_FALSE(coincident_objects(room(548.8f, true, true, 343))) << "side by side";
+    EXPECT_TRUE(coincident_objects(room(548.8f, true, true, 342)));
+    Scene alike = room(548.8f, true);
+    alike.objects[1].material = alike.objects[0].material;
+    EXPECT_FALSE(coincident_objects(alike)) << "the same colour either way";
+}
+
+TEST(WarningsOf, NameWhatIsNotShown) {
+    Scene scene = room(548.8f, true);
+    add_quad(scene, "far", {{0, 0, -1e8f}, {1, 0, -1e8f}, {0, 1, -1e8f}, {0, 0, -1e8f}});
+    scene.objects.push_back(
+        {.name = "wire",
+         .mesh = make_mesh({.primitive = Primitive::Lines, .positions = {{0, 1, 0}, {1, 1, 0}}})});
+    scene.camera = Camera{.eye = {0, 0, 800}, .at = {0, 0, 0}};
+    const View view = make_view(scene, 64, 48);
+    const std::string shared =
+        "objects 'lamp' and 'ceiling' share a part of a plane: which of them is seen there depends "
+        "on rounding; expected them a little apart";
+    const std::string lines =
+        "lines and points are left out, as of object 'wire'; expected --renderer multipass or "
+        "hardware for them";
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), (Strings{lines, shared}));
+    const Strings passes = warnings_of(scene, view, DrawnBy::Passes);
+    ASSERT_EQ(passes.size(), 2u);
+    EXPECT_EQ(passes[0].substr(0, 25), "object 'wire' is cut off:");
+    EXPECT_EQ(passes[1], shared);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Depth).size(), 3u);
+    EXPECT_EQ(warnings_of(room(548.7f, true), view, DrawnBy::Depth), Strings());
+}
+
+TEST(EmptyPicture, IsOneOfTheBackgroundAlone) {
+    Scene scene = room(548.7f, true);
+    std::vector<Rgba> picture(12, Rgba{0, 0, 0, 255});
+    EXPECT_NE(empty_picture(scene, picture, 8), "");
+    picture[7][1] = 1;
+    EXPECT_EQ(empty_picture(scene, picture, 8), "");
+    scene.background = {0.5f, 0.5f, 0.5f};
+    EXPECT_EQ(empty_picture(scene, picture, 8), "") << "something dark stands before it";
+    picture.assign(12, Rgba{128, 128, 128, 255});
+    EXPECT_NE(empty_picture(scene, picture, 8), "");
+    EXPECT_EQ(empty_picture({}, picture, 8), "") << "nothing to see";
+}
+
+}  // namespace
+}  // namespace gw::scene
