@@ -71,6 +71,9 @@ export interface Report {
   readonly passes: readonly Pass[];
 }
 
+export const isInside = (report: Report, x: number, y: number): boolean =>
+  [x, y].every((v) => Number.isInteger(v) && v >= 0) && x < report.width && y < report.height;
+
 export const planesOfPass = (pass: Pass): PlaneName[] =>
   planeNames.filter((plane) => pass.planes[plane] !== undefined);
 export const isChanged = (pass: Pass, plane: PlaneName): boolean =>

@@ -1,4 +1,4 @@
-// Claims: a range of steps is one that the log has, whatever is typed.
+// A range of steps stays within the log, whatever is typed.
 import { expect, test } from 'vitest';
 import { rangeOf } from '../model/export';
 

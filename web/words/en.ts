@@ -307,7 +307,7 @@ export const en = {
   lab_method: 'Method',
   lab_choose_method: 'Choose this method to count its tests.',
   lab_inside_test: 'Inside test',
-  lab_tests: 'Tests of each pixel, the dearest white',
+  lab_tests: 'Tests of each pixel, the costliest white',
   lab_visits: 'Pixel {0}: {1} shapes, {2} boxes, {3} voxels tested; meets {4}',
   lab_shape_tests: 'tests of shapes',
   lab_box_tests: 'tests of boxes',

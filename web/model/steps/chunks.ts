@@ -1,5 +1,5 @@
-// What the steps of a log add to a drawing, in chunks: after any step all chunks but the last are as
-// before, so that a step costs no more than one chunk. Does not draw.
+// What the steps of a log add to a drawing, in chunks. A step changes only the last chunk, so it costs
+// no more than that. Does not draw.
 import type { Step } from './log';
 
 export class Chunks<Part> {

@@ -1,5 +1,6 @@
 // A log played forwards and backwards: the picture, the counters, the order and the outlines of all
 // pieces after any step. Keyframes bound the time of a jump. Does not draw.
+import { clamped } from '../keys';
 import { polygonOf, type Log, type Loop, type Step } from './log';
 
 const keyframes = 64;
@@ -130,6 +131,13 @@ export function nextWhere(
   for (let done = from + by; done >= 1 && done <= steps.length; done += by)
     if (fits(steps[done - 1]!)) return done;
   return -1;
+}
+
+/** Steps done after one more or less, or at the next decisive step, if there is one. */
+export function moved(steps: readonly Step[], from: number, by: 1 | -1, decisive: boolean): number {
+  if (!decisive) return clamped(from + by, 0, steps.length);
+  const found = nextWhere(steps, from, by, (step) => step.decisive === true);
+  return found >= 0 ? found : from;
 }
 
 /** Whether a step asks for this pixel or paints it. */
