@@ -128,6 +128,17 @@ void add_elements(Context& c, GLsizei count, IndexOf index_of) {
     }
 }
 
+/// For each element from the least index to the greatest, itself; a lower one if no index names it:
+/// there may be no memory then.
+std::vector<GLint> named_elements(std::span<const std::uint32_t> indices, std::uint32_t first,
+                                  std::uint32_t count) {
+    std::vector<GLint> out(count, -1);
+    for (const std::uint32_t index : indices) out[index - first] = GLint(index);
+    for (std::size_t k = 1; k < out.size(); ++k)
+        if (out[k] < 0) out[k] = out[k - 1];
+    return out;
+}
+
 /// Draws separate primitives whose vertices stand in the mesh once each. False, and nothing is done:
 /// the vertices are not shared, or not all of them can be drawn.
 template <class IndexOf>
@@ -146,7 +157,8 @@ bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
     if (vertices >= indices.size()) return false;
 
     execute::begin(c, mode);
-    add_elements(c, GLsizei(vertices), [&](GLsizei k) { return GLint(first) + k; });
+    const std::vector<GLint> elements = named_elements(indices, first, vertices);
+    add_elements(c, GLsizei(vertices), [&](GLsizei k) { return elements[std::size_t(k)]; });
     for (std::uint32_t& index : indices) index -= first;
     const bool whole = c.assembler.mesh.end_shared(vertices, indices);
     c.assembler.inside = false;

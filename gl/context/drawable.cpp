@@ -61,8 +61,9 @@ Drawable::~Drawable() {
 void Drawable::resize(int width, int height) {
     const auto lock = exclusive();
     settle();
+    std::unique_ptr<Machine> made = make_machine(Profile(profile()), width, height);
     if (log) log->close(*this);
-    machine_ = make_machine(Profile(profile()), width, height);
+    machine_ = std::move(made);
     width_ = width;
     height_ = height;
     drop_frame();

@@ -1,5 +1,5 @@
-// OSMesa's functions: contexts that draw into the caller's memory. The memory is up to date after
-// Flush, Finish and OSMesaMakeCurrent. Colour index mode is not offered.
+// OSMesa's functions: contexts that draw into the caller's memory. Flush and Finish, of the thread
+// whose context it is, bring it up to date. No other call touches it. Colour index mode is not offered.
 #include "gl/context/caught.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
@@ -63,23 +63,36 @@ public:
     void set_memory(void* buffer, GLenum type) {
         buffer_ = static_cast<unsigned char*>(buffer);
         type_ = type;
+        is_used_ = is_outdated_ = true;
     }
+    /// The memory may be gone from here on: present() leaves it alone until set_memory().
+    void leave_memory() { is_used_ = false; }
     void* memory() const { return buffer_; }
-    void set_row_length(int pixels) { row_length_ = pixels; }
+    void set_row_length(int pixels) {
+        row_length_ = pixels;
+        is_outdated_ = true;
+    }
     int row_length() const { return row_length_ > 0 ? row_length_ : width(); }
-    void set_y_up(bool up) { y_up_ = up; }
+    void set_y_up(bool up) {
+        y_up_ = up;
+        is_outdated_ = true;
+    }
     GLenum type() const { return type_; }
 
+    /// Copies the picture to the memory, unless it is there already.
     void present() override;
     /// Depth values for OSMesaGetDepthBuffer, bottom row first.
     std::vector<std::uint32_t>& depths();
 
 private:
+    void copy_picture();
     void store(unsigned char* at, const Rgba& color) const;
 
     const Layout& layout_;
     unsigned char* buffer_ = nullptr;
     GLenum type_ = GL_UNSIGNED_BYTE;
+    bool is_used_ = false;
+    bool is_outdated_ = true;  ///< even if nothing was drawn
     int row_length_ = 0;
     bool y_up_ = true;
     std::vector<std::uint32_t> depths_;
@@ -109,7 +122,14 @@ void Memory::store(unsigned char* at, const Rgba& color) const {
 }
 
 void Memory::present() {
-    if (buffer_ == nullptr) return;
+    if (!is_used_) return;
+    is_outdated_ |= take_front_changed();
+    if (!is_outdated_) return;
+    copy_picture();
+    is_outdated_ = false;
+}
+
+void Memory::copy_picture() {
     const bool is_packed = layout_.format == OSMESA_RGBA && type_ == GL_UNSIGNED_BYTE &&
                            profile().color_bits == 8 && std::endian::native == std::endian::little;
     const Rect all{0, 0, width(), height()};
@@ -169,6 +189,13 @@ OSMesaContext make_context(GLenum format, OSMesaContext sharelist) {
         start_recording();
         return new osmesa_context(*layout, sharelist ? sharelist->context.shared : nullptr);
     });
+}
+
+/// The thread has no context any more. Draws what its former context has left, for later.
+void leave_current() {
+    if (current_osmesa != nullptr) current_osmesa->memory->leave_memory();
+    make_current(nullptr, nullptr);
+    current_osmesa = nullptr;
 }
 
 bool fits(int depth_bits, int stencil_bits, int accum_bits) {
@@ -246,19 +273,18 @@ void GLAPIENTRY OSMesaDestroyContext(OSMesaContext context) {
 GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLenum type,
                                        GLsizei width, GLsizei height) {
     if (context == nullptr) {
-        make_current(nullptr, nullptr);
-        current_osmesa = nullptr;
+        leave_current();
         return GL_TRUE;
     }
     if (buffer == nullptr || !is_type_of(context->layout.format, type)) return GL_FALSE;
     return caught([&]() -> GLboolean {
         auto& memory = context->memory;
-        if (!memory || memory->width() != width || memory->height() != height) {
-            auto made = std::make_unique<Memory>(settings().profile, width, height, context->name,
-                                                 context->layout);
-            make_current(nullptr, nullptr);
-            memory = std::move(made);
-        }
+        check_window(width, height);
+        if (!memory)
+            memory = std::make_unique<Memory>(settings().profile, width, height, context->name,
+                                              context->layout);
+        leave_current();
+        if (memory->width() != width || memory->height() != height) memory->resize(width, height);
         make_current(&context->context, memory.get());
         memory->set_memory(buffer, type);
         memory->set_row_length(context->row_length);
