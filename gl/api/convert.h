@@ -64,6 +64,9 @@ inline const GLvoid* image_pixels(GLenum target, const GLvoid* pixels) {
 /// A copy of an image in the caller's memory. None if there is an error, so that the memory of a
 /// call that is ignored is not read.
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels);
+/// The same of a texture's image. Sizes that no texture has are errors.
+HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
+                         const GLvoid* pixels);
 /// The names that CallLists adds to the list base. [GL11] 5.4
 Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists);
 

@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/pixels/formats.h"
+#include "gl/pixels/pieces.h"
 #include "gl/pixels/read.h"
 #include "gl/pixels/transfer.h"
 
@@ -39,9 +40,12 @@ gw::DrawPixels rectangle(Context& c, GLsizei width, GLsizei height) {
     return out;
 }
 
-/// Beyond what a copy of the machine names.
-bool is_far(GLint at) { return at < -max_window_size || at > max_window_size; }
-bool is_size(GLsizei size) { return size >= 0 && size <= max_window_size; }
+/// Whether a copy of the machine can name a rectangle of the window. No pixel of it may be inside.
+bool is_nameable(const Rect& r) {
+    const auto is_near = [](GLint at) { return at >= -max_window_size && at <= max_window_size; };
+    return is_near(r.x) && is_near(r.y) && r.width <= max_window_size &&
+           r.height <= max_window_size;
+}
 
 /// Whether a rectangle draws: not in feedback, which gets `token`, nor in selection.
 bool is_drawn(Context& c, GLenum token) {
@@ -144,19 +148,29 @@ void add_rectangle(Context& c, gw::DrawPixels pixels) {
     submit_command(c, plain(pixels));
 }
 
+void add_rectangle_of_any_size(Context& c, gw::DrawPixels pixels) {
+    for_each_piece(std::move(pixels),
+                   [&](gw::DrawPixels piece) { add_rectangle(c, std::move(piece)); });
+}
+
 void draw_depths_and_stencils(Context& c, GLsizei width, GLsizei height, const HostImage& image) {
     const DepthsAndStencils host = host_depths_and_stencils(c, width, height, image);
     gw::DrawPixels stencils = rectangle(c, width, height);
     set_stencils(stencils, c, host.stencils);
-    add_rectangle(c, std::move(stencils));
+    add_rectangle_of_any_size(c, std::move(stencils));
     const Untested untested(c);
     gw::DrawPixels depths = rectangle(c, width, height);
     set_depths(depths, c, host.depths);
-    add_rectangle(c, std::move(depths));
+    add_rectangle_of_any_size(c, std::move(depths));
 }
 
-void copy_plane(Context& c, Plane plane, const Rect& rect) {
+/// Pixels outside the window are not drawn, so they can be left out.
+void copy_plane(Context& c, Plane plane, const Rect& whole) {
+    const Rect rect = is_nameable(whole) ? whole : part_inside(*c.read_drawable, whole);
+    if (rect.area() == 0) return;
     gw::DrawPixels out = rectangle(c, rect.width, rect.height);
+    out.raster.x += out.zoom_x * (double(rect.x) - double(whole.x));
+    out.raster.y += out.zoom_y * (double(rect.y) - double(whole.y));
     if (is_identity(c.state.pixel, plane))
         out.source = PixelSource{plane, rect.x, rect.y};
     else
@@ -170,7 +184,7 @@ namespace execute {
 
 void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  const HostImage& image) {
-    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(c, error);
     if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.is_given()) return;
     if (format == GL_DEPTH_STENCIL) return draw_depths_and_stencils(c, width, height, image);
@@ -181,12 +195,12 @@ void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenu
         set_stencils(out, c, host_stencils(c, width, height, type, image));
     else
         out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits);
-    add_rectangle(c, std::move(out));
+    add_rectangle_of_any_size(c, std::move(out));
 }
 
 void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig, float xmove,
             float ymove, const HostImage& image) {
-    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
     CurrentState::Raster& raster = c.state.current.raster;
     if (!raster.valid) return;
     if (is_drawn(c, GL_BITMAP_TOKEN) && image.is_given()) {
@@ -196,7 +210,7 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
         out.zoom_x = out.zoom_y = 1;
         for (const std::byte bits : image.bytes)
             out.bits.push_back(std::to_integer<std::uint8_t>(bits));
-        add_rectangle(c, std::move(out));
+        add_rectangle_of_any_size(c, std::move(out));
     }
     raster.position.x += finite(double(xmove));
     raster.position.y += finite(double(ymove));
@@ -205,9 +219,8 @@ void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig,
 void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
         return set_error(c, GL_INVALID_ENUM);
-    if (!is_size(width) || !is_size(height)) return set_error(c, GL_INVALID_VALUE);
+    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
     if (!is_drawn(c, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
-    if (is_far(x) || is_far(y)) return;
     const Rect rect{x, y, width, height};
     if (type == GL_COLOR) return copy_plane(c, Plane::Color, rect);
     if (type != GL_DEPTH) copy_plane(c, Plane::Stencil, rect);

@@ -5,10 +5,10 @@
 #include "gl/context/current.h"
 #include "gl/pixels/formats.h"
 
-#include "gw/machine.h"
 #include "gw/texture.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 
 namespace gw::gl {
@@ -100,11 +100,10 @@ void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsize
 }
 
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels) {
-    constexpr GLsizei largest = std::max(max_window_size, max_texture_size + 2);
-    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0 || width > largest ||
-        height > largest)
-        return {};
+    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0) return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
+    if (row_bytes(width, format, type) > std::size_t(PTRDIFF_MAX) / std::size_t(height))
+        return set_error(*current, GL_OUT_OF_MEMORY), HostImage{};
     const PixelStore& store = current->client.unpack;
     return guarded(*current, [&]() -> HostImage {
         std::optional<std::span<const std::byte>> rows;
@@ -117,6 +116,13 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
                  : copy_from_memory(store, width, height, format, type, pixels));
         return {*kept, std::move(kept)};
     });
+}
+
+HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
+                         const GLvoid* pixels) {
+    constexpr GLsizei largest = max_texture_size + 2;
+    return width <= largest && height <= largest ? unpack(width, height, format, type, pixels)
+                                                 : HostImage{};
 }
 
 Stipple stipple(const GLubyte* mask) {

@@ -22,16 +22,6 @@ void place(std::vector<T>& out, const Rect& rect, const Rect& inside, Value valu
             out[rect.index(x, y)] = value(inside.index(x, y));
 }
 
-Rect intersection(const Drawable& drawable, const Rect& r) {
-    const auto clip = [](std::int64_t low, std::int64_t size, int limit) {
-        const std::int64_t begin = std::clamp<std::int64_t>(low, 0, limit);
-        return std::pair(int(begin), int(std::clamp<std::int64_t>(low + size, 0, limit) - begin));
-    };
-    const auto [x, width] = clip(r.x, r.width, drawable.width());
-    const auto [y, height] = clip(r.y, r.height, drawable.height());
-    return {x, y, width, height};
-}
-
 /// Sends the read buffer to the drawable that is read.
 void submit_read_buffer(Context& c) {
     if (c.read_drawable == c.drawable) {
@@ -50,7 +40,7 @@ void submit_read_buffer(Context& c) {
 /// The colours of a rectangle, 8 bits a channel; 0 outside the drawable.
 std::vector<std::uint32_t> read_words(Context& c, const Rect& rect, Cause cause) {
     std::vector<std::uint32_t> out(rect.area(), 0);
-    const Rect inside = intersection(*c.read_drawable, rect);
+    const Rect inside = part_inside(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
     submit_read_buffer(c);
     if (inside == rect) {
@@ -77,7 +67,7 @@ bool is_read_as_bytes(const Context& c, GLenum format, GLenum type) {
 void read_bytes(Context& c, const Rect& rect, GLenum format, std::byte* out) {
     const bool is_words = (format == GL_RGBA || format == GL_BGRA) &&
                           reinterpret_cast<std::uintptr_t>(out) % alignof(std::uint32_t) == 0;
-    if (!is_words || intersection(*c.read_drawable, rect) != rect)
+    if (!is_words || part_inside(*c.read_drawable, rect) != rect)
         return pack_bytes(c, read_words(c, rect, Cause::Read), format, out);
     const std::span words(reinterpret_cast<std::uint32_t*>(out), rect.area());
     submit_read_buffer(c);
@@ -109,9 +99,19 @@ std::vector<std::byte> packed_pairs(Context& c, const Rect& rect) {
 
 }  // namespace
 
+Rect part_inside(const Drawable& drawable, const Rect& r) {
+    const auto clip = [](std::int64_t low, std::int64_t size, int limit) {
+        const std::int64_t begin = std::clamp<std::int64_t>(low, 0, limit);
+        return std::pair(int(begin), int(std::clamp<std::int64_t>(low + size, 0, limit) - begin));
+    };
+    const auto [x, width] = clip(r.x, r.width, drawable.width());
+    const auto [y, height] = clip(r.y, r.height, drawable.height());
+    return {x, y, width, height};
+}
+
 std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause) {
     std::vector<vec4> out(rect.area(), vec4(0));
-    const Rect inside = intersection(*c.read_drawable, rect);
+    const Rect inside = part_inside(*c.read_drawable, rect);
     if (inside.area() == 0) return out;
     submit_read_buffer(c);
     const Readback read = c.read_drawable->read(Plane::Color, inside, cause);
@@ -132,7 +132,7 @@ std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits)
 }
 
 std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause) {
-    const Rect inside = intersection(*c.read_drawable, rect);
+    const Rect inside = part_inside(*c.read_drawable, rect);
     if (inside.area() == 0) return std::vector(rect.area(), 0.0);
     std::vector<std::uint32_t> read(inside.area());
     c.read_drawable->read_values(plane, inside, cause, read);

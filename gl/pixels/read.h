@@ -10,6 +10,10 @@
 namespace gw::gl {
 
 struct Context;
+class Drawable;
+
+/// The part of a rectangle that lies in the drawable; its area may be 0.
+Rect part_inside(const Drawable& drawable, const Rect& rect);
 
 /// Colours 0 .. 1, bottom row first; 0 outside the drawable. The context has a drawable.
 std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause);
