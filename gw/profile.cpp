@@ -36,7 +36,11 @@ Profile ideal() {
 }
 
 Profile opengl() {
-    Profile p{.name = "opengl", .subpixel_bits = 8, .coverage_bits = 8, .color_planes = 2};
+    Profile p{.name = "opengl",
+              .accum_bits = 32,
+              .subpixel_bits = 8,
+              .coverage_bits = 8,
+              .color_planes = 2};
     p.fragment_fog = true;
     p.perspective_color = true;
     p.extensions = {.polygon_offset = true,

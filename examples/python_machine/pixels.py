@@ -77,8 +77,14 @@ def clear(machine, command):
 
 def cleared(v, profile):
     """[R13.16] A channel of the accumulation plane."""
-    whole = int(np.rint(min(max(v, -1.0), 1.0) * one(profile.color_bits)))
+    level = 2.0**accum_fraction_bits(profile)
+    whole = int(np.rint(min(max(v, -1.0), 1.0) * one(profile.color_bits) * level))
     return wrapped_to(profile.accum_bits, whole)
+
+
+def accum_fraction_bits(profile):
+    """[R13.19]"""
+    return max(0, profile.accum_bits - profile.color_bits - 8) if profile.draw_pixels else 0
 
 
 def wrapped_to(bits, v):
@@ -239,18 +245,21 @@ def accumulate(machine, command):
     x, y = rectangle(box_of(machine))
     planes, bits = machine.planes, machine.profile.accum_bits
 
-    def weighted(a):
+    fraction = accum_fraction_bits(machine.profile)
+
+    def weighted(a, shift=0):
         limit = 2.0**40
-        return np.clip(np.rint(a.astype(np.float64) * command.value), -limit,
+        return np.clip(np.rint(a.astype(np.float64) * command.value * 2.0**shift), -limit,
                        limit).astype(np.int64)
 
     old, color = planes.accum[y, x], plane_read(machine, Plane.Color)[y, x]
     most = one(machine.profile.color_bits)
     if command.op == "Return":
-        store(machine, Plane.Color, x, y, np.clip(weighted(old), 0, most))
+        store(machine, Plane.Color, x, y, np.clip(weighted(old, -fraction), 0, most))
     else:
-        new = {"Accum": lambda: old + weighted(color), "Load": lambda: weighted(color),
-               "Add": lambda: old + weighted(np.full_like(old, most)),
+        new = {"Accum": lambda: old + weighted(color, fraction),
+               "Load": lambda: weighted(color, fraction),
+               "Add": lambda: old + weighted(np.full_like(old, most), fraction),
                "Mult": lambda: weighted(old)}[command.op]()
         wrapped = wrapped_to(bits, new)
         machine.counters["accum_overflows"] += int(np.count_nonzero(wrapped != new))

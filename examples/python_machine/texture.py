@@ -84,16 +84,26 @@ class Texture:
 class Coordinate:
     """[R9.15] u 2^e of one coordinate at the pixels, and the whole part k [R10.8]."""
 
-    def __init__(self, plane, e, W, x, y, wrap, k):
+    def __init__(self, plane, e, W, x, y, wrap, k, wide_q=None):
         self.plane, self.e, self.wrap, self.k = plane, e, wrap, k
         self.u = quotient(plane, W, x, y)
+        self.wide = None if wide_q is None else plane.at(x, y) / wide_q.at(x, y)
 
     def position(self, log2_side):
         """[R10.9] In units of 1/256 texel."""
+        if self.wide is not None:
+            return self.wide_position(log2_side + 8)
         limit = np.float32(2.0**30)
         scaled = self.u * np.float32(2.0**(self.e + log2_side + 8))
         p = np.floor(np.minimum(np.maximum(scaled, -limit), limit)).astype(np.int64)
         return p + self.k * 2**(log2_side + 8) if self.wrap != Wrap.Repeat else p
+
+    def wide_position(self, shift):
+        """[R10.27]"""
+        p = np.floor(self.wide * 2.0**(self.e + shift)).astype(np.int64)
+        if self.wrap == Wrap.Repeat:
+            return p & (2**shift - 1)
+        return np.clip(p + self.k * 2**shift, -2**30, 2**30)
 
     def limited(self, p, log2_side):
         """[R10.25]"""
@@ -147,6 +157,10 @@ class TextureStage:
         if self.projective:
             plane, e = denominator.value(values)
             return Coordinate(plane, e, W, x, y, wrap, 0)
+        if max(values) - math.floor(min(values)) > 2.0**10:  # [R9.19]
+            k = clamp(math.floor(min(values)), -2**30, 2**30)
+            plane, e = denominator.value(values, k, 32)
+            return Coordinate(plane, e, W, x, y, wrap, k, denominator.q)
         k = whole_part(values, wrap)
         plane, e = denominator.value(values, k, 10)
         return Coordinate(plane, e, W, x, y, wrap, k)

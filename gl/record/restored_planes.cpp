@@ -1,5 +1,7 @@
 #include "gl/record/restored_planes.h"
 
+#include "gw/stages/accumulation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,7 +53,7 @@ void Restorer::add_accum_digit(int digit, bool negative) {
     }
     if (all_zero) return;
     write_colors(std::move(colors));
-    const float weight = std::ldexp(1.0f, 8 * digit);
+    const float weight = std::ldexp(1.0f, 8 * digit - accum_fraction_bits(profile_));
     list.add(Accumulate{AccumOp::Accum, negative ? -weight : weight});
 }
 

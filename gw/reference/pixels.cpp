@@ -62,7 +62,7 @@ void run(const Clear& command, const Resolved& r, const FragmentTarget& target,
     value.stencil =
         static_cast<std::uint8_t>(static_cast<std::uint32_t>(command.stencil) & r.stencil_max);
     for (int c = 0; c < 4; ++c)
-        value.accum[std::size_t(c)] = cleared_accum(command.accum[c], r.bits, profile.accum_bits);
+        value.accum[std::size_t(c)] = cleared_accum(command.accum[c], profile);
     for (const Plane plane : every_plane)
         if (command.planes & mask_of(plane))
             for_pixels(
@@ -112,11 +112,11 @@ void run(const Accumulate& command, const Resolved& r, const FragmentTarget& tar
         for (std::size_t c = 0; c < 4; ++c) {
             std::int32_t& stored = planes.accum[i][c];
             if (command.op == AccumOp::Return) {
-                color[c] = returned(stored, command.value, r.bits);
+                color[c] = returned(stored, command.value, profile);
                 continue;
             }
             bool overflow = false;
-            stored = wrap_accum(accumulated(command.op, stored, color[c], command.value, r.bits),
+            stored = wrap_accum(accumulated(command.op, stored, color[c], command.value, profile),
                                 profile.accum_bits, overflow);
             target.counters->accum_overflows += overflow ? 1 : 0;
         }

@@ -2,6 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
+#include "gw/stages/accumulation.h"
 #include "multipass/frame/commands.h"
 
 #include <fmt/format.h>
@@ -55,7 +56,9 @@ void average(Machine& machine, const std::vector<std::vector<Rgba>>& pictures) {
 }  // namespace
 
 int most_pictures(const Profile& profile) {
-    return static_cast<int>(max_of_bits(profile.accum_bits - 1) / max_of_bits(profile.color_bits));
+    const std::uint64_t level = std::uint64_t{1} << accum_fraction_bits(profile);
+    return static_cast<int>(max_of_bits(profile.accum_bits - 1) /
+                            (level * max_of_bits(profile.color_bits)));
 }
 
 Superposition superposition(const Profile& profile, int count, int images) {

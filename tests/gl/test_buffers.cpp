@@ -106,7 +106,7 @@ TEST(Buffers, CopyFromTheReadBufferToTheDrawBuffer) {
     EXPECT_EQ(window.pixel(4, 3), green);
 }
 
-/// [GL11] 4.2.4. Each value is rounded to units of the frame buffer: ((64 + 64) + 32) / 2.
+/// [GL11] 4.2.4: ((1/4 + 1/4) + 1/8) / 2 of 255.
 TEST(Accum, ComputesWithColours) {
     const Window window(8, 8);
     glClearAccum(0, 0, 0, 0);
@@ -119,6 +119,27 @@ TEST(Accum, ComputesWithColours) {
     glAccum(GL_RETURN, 1);
     EXPECT_EQ(window.pixel(3, 3)[0], 80);
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+/// The mean of equal pictures is the picture, for all its levels.
+TEST(Accum, KeepsFractionsOfColours) {
+    const Window window(256, 1);
+    std::vector<std::array<GLubyte, 4>> levels;
+    for (int v = 0; v < 256; ++v)
+        levels.push_back({GLubyte(v), GLubyte(255 - v), GLubyte(v / 2), 255});
+    glRasterPos2i(-1, -1);
+    glDrawPixels(256, 1, GL_RGBA, GL_UNSIGNED_BYTE, levels.data());
+    for (int pictures = 1; pictures <= 128; ++pictures) {
+        glClear(GL_ACCUM_BUFFER_BIT);
+        for (int i = 0; i < pictures; ++i) glAccum(GL_ACCUM, 1 / GLfloat(pictures));
+        glAccum(GL_RETURN, 1);
+        EXPECT_EQ(window.pixels(), levels) << pictures;
+    }
+    glAccum(GL_LOAD, 1);
+    for (int i = 0; i < 7; ++i) glAccum(GL_MULT, 0.5f);
+    for (int i = 0; i < 100; ++i) glAccum(GL_ADD, 0.001f);
+    glAccum(GL_RETURN, 2);
+    for (int v = 0; v < 256; ++v) EXPECT_NEAR(window.pixel(v, 0)[0], v / 64.0 + 51, 0.52) << v;
 }
 
 TEST(Accum, IsClearedToItsValue) {

@@ -298,13 +298,15 @@ void draw_surface(const Gl& gl, Random& random, Results& out) {
 }
 
 void accumulate(const Gl& gl, Random& random, Results& out) {
+    const int pictures = random.between(1, 64);
+    const GLfloat share = 1 / GLfloat(pictures);
     gl.Accum(GL_LOAD, 0.5f);
     emit_shapes(gl, random, false);
-    gl.Accum(GL_ACCUM, 0.25f);
+    for (int i = 0; i < pictures; ++i) gl.Accum(GL_ACCUM, 0.5f * share);
     if (random.chance(30)) gl.Accum(GL_ADD, GLfloat(random.real(-0.2, 0.2)));
     if (random.chance(30)) gl.Accum(GL_MULT, GLfloat(random.real(0.5, 1)));
     gl.Accum(GL_RETURN, 1);
-    out.color_bound = 3;
+    out.color_bound = 1;
     look(gl, out);
 }
 

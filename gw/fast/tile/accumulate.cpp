@@ -33,11 +33,11 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
             std::int32_t& stored = accum.channel[c][i];
             std::uint16_t& own = color.channel[c][i];
             if (a.op == AccumOp::Return) {
-                if (channel[c]) own = returned(stored, a.value, op.state.bits);
+                if (channel[c]) own = returned(stored, a.value, profile);
                 continue;
             }
             bool overflow = false;
-            stored = wrap_accum(accumulated(a.op, stored, own, a.value, op.state.bits),
+            stored = wrap_accum(accumulated(a.op, stored, own, a.value, profile),
                                 profile.accum_bits, overflow);
             overflows += overflow ? 1 : 0;
         }
@@ -46,10 +46,11 @@ inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& pro
 
 /// Whether the operation adds integer multiples of colours in less than 32 bits, as the sum of
 /// samples does.
-inline bool is_whole(const AccumulateOp& op, int bits) {
+inline bool is_whole(const AccumulateOp& op, const Profile& profile) {
     const Accumulate& a = *op.accumulate;
     const bool adds = a.op == AccumOp::Accum || a.op == AccumOp::Load || a.op == AccumOp::Add;
-    return adds && bits <= 30 && std::abs(a.value) <= 256 && std::floor(a.value) == a.value;
+    return adds && profile.accum_bits <= 30 && accum_fraction_bits(profile) == 0 &&
+           std::abs(a.value) <= 256 && std::floor(a.value) == a.value;
 }
 
 /// All lanes of one channel if is_whole(). Returns the number of overflows.
@@ -76,7 +77,7 @@ inline std::uint64_t accumulate_whole(const AccumulateOp& op, int bits, std::int
 
 using U16ForD64 = hn::Rebind<std::uint16_t, D64>;
 
-/// weighted() of gw/stages/accumulation.h, without its limit, which weights up to 256 never reach.
+/// weighted() of gw/stages/accumulation.h, without its limit, which weights up to 256 never exceed.
 inline V64 weighted_lanes(V64 a, double value) { return nearest(hn::Mul(a, all(value))); }
 
 /// wrap_accum(): exact, as integers below 2^52.
@@ -90,40 +91,43 @@ inline V64 load_color(const std::uint16_t* p) {
     return hn::PromoteTo(D64(), hn::PromoteTo(I32ForD64(), hn::Load(U16ForD64(), p)));
 }
 
-inline V64 accumulated_lanes(const AccumulateOp& op, V64 stored, const std::uint16_t* color) {
-    const double value = op.accumulate->value;
+/// The weight of a colour, `scaled`, has R13.19's fraction bits.
+inline V64 accumulated_lanes(const AccumulateOp& op, double scaled, V64 stored,
+                             const std::uint16_t* color) {
     switch (op.accumulate->op) {
-        case AccumOp::Accum: return hn::Add(stored, weighted_lanes(load_color(color), value));
-        case AccumOp::Load: return weighted_lanes(load_color(color), value);
+        case AccumOp::Accum: return hn::Add(stored, weighted_lanes(load_color(color), scaled));
+        case AccumOp::Load: return weighted_lanes(load_color(color), scaled);
         case AccumOp::Add:
-            return hn::Add(stored, weighted_lanes(all(max_of_bits(op.state.bits)), value));
-        case AccumOp::Mult: return weighted_lanes(stored, value);
+            return hn::Add(stored, weighted_lanes(all(max_of_bits(op.state.bits)), scaled));
+        case AccumOp::Mult: return weighted_lanes(stored, double(op.accumulate->value));
         case AccumOp::Return: break;
     }
     return stored;
 }
 
 /// All lanes of one channel. Returns the number of overflows.
-inline std::uint64_t accumulate_channel(const AccumulateOp& op, int bits, std::int32_t* accum,
-                                        const std::uint16_t* color) {
+inline std::uint64_t accumulate_channel(const AccumulateOp& op, const Profile& profile,
+                                        std::int32_t* accum, const std::uint16_t* color) {
     const I32ForD64 i32;
+    const double scaled = std::ldexp(double(op.accumulate->value), accum_fraction_bits(profile));
     std::uint64_t overflows = 0;
     for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(i32)) {
         const auto stored = hn::PromoteTo(D64(), hn::Load(i32, accum + i));
-        const auto v = accumulated_lanes(op, stored, color + i), wrapped = wrapped_lanes(v, bits);
+        const auto v = accumulated_lanes(op, scaled, stored, color + i);
+        const auto wrapped = wrapped_lanes(v, profile.accum_bits);
         overflows += hn::CountTrue(D64(), hn::Ne(v, wrapped));
         hn::Store(hn::DemoteTo(i32, wrapped), i32, accum + i);
     }
     return overflows;
 }
 
-inline void return_channel(const AccumulateOp& op, const std::int32_t* accum,
-                           std::uint16_t* color) {
+inline void return_channel(const AccumulateOp& op, const Profile& profile,
+                           const std::int32_t* accum, std::uint16_t* color) {
     const I32ForD64 i32;
+    const double scaled = std::ldexp(double(op.accumulate->value), -accum_fraction_bits(profile));
     const auto zero = hn::Zero(D64()), most = all(max_of_bits(op.state.bits));
     for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(i32)) {
-        const auto v =
-            weighted_lanes(hn::PromoteTo(D64(), hn::Load(i32, accum + i)), op.accumulate->value);
+        const auto v = weighted_lanes(hn::PromoteTo(D64(), hn::Load(i32, accum + i)), scaled);
         const auto clamped = hn::DemoteTo(i32, hn::Max(zero, hn::Min(v, most)));
         hn::Store(hn::DemoteTo(U16ForD64(), clamped), U16ForD64(), color + i);
     }
@@ -138,10 +142,9 @@ inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profi
     std::uint64_t overflows = 0;
     for (std::size_t c = 0; c < 4; ++c) {
         if (op.accumulate->op != AccumOp::Return)
-            overflows +=
-                accumulate_channel(op, profile.accum_bits, accum.channel[c], color.channel[c]);
+            overflows += accumulate_channel(op, profile, accum.channel[c], color.channel[c]);
         else if (channel[c])
-            return_channel(op, accum.channel[c], color.channel[c]);
+            return_channel(op, profile, accum.channel[c], color.channel[c]);
     }
     return overflows;
 }
@@ -157,7 +160,7 @@ inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profi
 
 std::uint64_t accumulate_all(const AccumulateOp& op, const Profile& profile, AccumBlock& accum,
                              ColorBlock& color, std::uint32_t mask) {
-    if (mask != 0xFFFF || !is_whole(op, profile.accum_bits))
+    if (mask != 0xFFFF || !is_whole(op, profile))
         return accumulate_any(op, profile, accum, color, mask);
     std::uint64_t overflows = 0;
     for (std::size_t c = 0; c < 4; ++c)

@@ -147,7 +147,7 @@ struct TileRun {
         const std::uint32_t value = std::uint32_t(op.clear->stencil) & r.stencil_max;
         std::uint32_t sum[4];
         for (int c = 0; c < 4; ++c)
-            sum[c] = std::uint32_t(cleared_accum(op.clear->accum[c], r.bits, profile.accum_bits));
+            sum[c] = std::uint32_t(cleared_accum(op.clear->accum[c], profile));
         for_each_block(tile, inside, [&](std::size_t b, int, int, std::uint32_t mask) {
             if (stencil) clear_stencil(r, value, tile.stencil[b], mask);
             if (accum)

@@ -58,6 +58,21 @@ TEST(ManualPixels, AccumulationByHand) {
     EXPECT_EQ(bench.take_counters().accum_overflows, 0u);
 }
 
+// [R13.8] [R13.16] [R13.19]
+TEST(ManualPixels, AccumulationOfFractions) {
+    Workbench bench(opengl(), 1, 1);
+    bench.run(Clear{.planes = mask_of(Plane::Accum), .accum = {0.5f, -1, 0, 1}});
+    EXPECT_EQ(bench.accum(0, 0), (std::array{127 * 65536 + 32768, -255 * 65536, 0, 255 * 65536}));
+    bench.clear(mask_of(Plane::Color), vec4(102 / 255.0f));
+    bench.run(Accumulate{AccumOp::Load, 1 / 64.0f});
+    EXPECT_EQ(bench.accum(0, 0)[0], 104448);
+    for (int i = 1; i < 64; ++i) bench.run(Accumulate{AccumOp::Accum, 1 / 64.0f});
+    EXPECT_EQ(bench.accum(0, 0)[0], 6684672);
+    bench.clear(mask_of(Plane::Color), vec4(0));
+    bench.run(Accumulate{AccumOp::Return, 1});
+    EXPECT_EQ(bench.color(0, 0)[0], 102);
+}
+
 // [R13.16]
 TEST(ManualPixels, AccumulationIsClearedToAValue) {
     Workbench bench(vgx(), 8, 8);
