@@ -46,13 +46,6 @@ void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMake
     }
 }
 
-/// k: the floor of the least coordinate. Repeat drops k. Clamp adds it back later and therefore
-/// bounds it.
-double integer_part(const std::vector<double>& s, Wrap wrap) {
-    const double k = std::floor(*std::min_element(s.begin(), s.end()));
-    return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
-}
-
 void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
                  const TextureState& state) {
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
@@ -68,8 +61,8 @@ void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMa
         const auto s = gather_doubles(corners, [](const Corner& c) { return c.texcoord.x; });
         const auto t = gather_doubles(corners, [](const Corner& c) { return c.texcoord.y; });
         v.texture_q = v.q;
-        v.s = perspective_value(numerators(s, w, integer_part(s, state.wrap_s)), plane);
-        v.t = perspective_value(numerators(t, w, integer_part(t, state.wrap_t)), plane);
+        v.s = perspective_value(texture_numerators(s, w, state.wrap_s == Wrap::Repeat), plane);
+        v.t = perspective_value(texture_numerators(t, w, state.wrap_t == Wrap::Repeat), plane);
     }
     const PlaneSlope q = slope_of(v.texture_q, v.slope_x, v.slope_y);
     v.s.slope = coordinate_slope(slope_of(v.s.plane, v.slope_x, v.slope_y), q);

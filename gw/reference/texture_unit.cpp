@@ -15,6 +15,21 @@ int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wra
 
 namespace {
 
+/// One pixel's texel positions.
+struct Coordinates {
+    const Interpolants& values;
+    int x, y;
+    float w;
+
+    int at(const PerspectiveValue& value, int log2_size, Wrap wrap) const {
+        if (!values.projective && value.exponent > largest_exponent_in_float)
+            return wide_position(value.plane.at(x, y), values.texture_q.at(x, y), value.exponent,
+                                 static_cast<std::int64_t>(value.offset), log2_size,
+                                 wrap == Wrap::Repeat);
+        return level_coordinate(value, value.at(x, y, w), log2_size, wrap);
+    }
+};
+
 /// GL's rho = max(m_u, m_v) in texels of level 0 per pixel.
 float rho_at(const Interpolants& v, const TexelLevel& base, float w, int x, int y) {
     const int dx = x - v.slope_x, dy = y - v.slope_y;
@@ -29,12 +44,12 @@ Rgba grey(std::uint32_t v) {
 }
 
 /// Whether r <= the depth of the nearest texel.
-bool is_lit(const Interpolants& v, const Texels& texels, const TextureState& s, int depth_bits,
-            int x, int y, float w) {
+bool is_lit(const Coordinates& at, const Texels& texels, const TextureState& s, int depth_bits) {
+    const Interpolants& v = at.values;
     const TexelLevel& level = texels.levels[0];
-    const int i = level_coordinate(v.s, v.s.at(x, y, w), level.log2_width, s.wrap_s) >> 8;
-    const int j = level_coordinate(v.t, v.t.at(x, y, w), level.log2_height, s.wrap_t) >> 8;
-    const double r = std::ldexp(double(v.r.at(x, y, w)), v.r.exponent + depth_bits);
+    const int i = at.at(v.s, level.log2_width, s.wrap_s) >> 8;
+    const int j = at.at(v.t, level.log2_height, s.wrap_t) >> 8;
+    const double r = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + depth_bits);
     const auto incoming = to_integer(std::floor(r), 0, max_of_bits(depth_bits));
     const auto index =
         wrap_index(s.wrap_t, j, level.height) * level.width + wrap_index(s.wrap_s, i, level.width);
@@ -49,9 +64,9 @@ Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, in
     const std::uint32_t one = max_of_bits(texels.bits);
     if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
     const float w = reciprocal(v.texture_q, x, y);
-    if (s.shadow_compare) return grey(is_lit(v, texels, s, depth_bits, x, y, w) ? one : 0);
+    const Coordinates at{v, x, y, w};
+    if (s.shadow_compare) return grey(is_lit(at, texels, s, depth_bits) ? one : 0);
 
-    const float uw = v.s.at(x, y, w), vw = v.t.at(x, y, w);
     LevelChoice choice{.magnify = true};
     if (needs_rho(s))
         choice = choose_level(s, rho_at(v, texels.levels[0], w, x, y), int(texels.levels.size()));
@@ -59,9 +74,8 @@ Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, in
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];
         return lookup(texels, level, is_linear(s, choice.magnify),
-                      addressing(s, texels, r.border_color),
-                      level_coordinate(v.s, uw, level.log2_width, s.wrap_s),
-                      level_coordinate(v.t, vw, level.log2_height, s.wrap_t));
+                      addressing(s, texels, r.border_color), at.at(v.s, level.log2_width, s.wrap_s),
+                      at.at(v.t, level.log2_height, s.wrap_t));
     };
     if (choice.weight == 0) return sample(choice.level);
     return between_levels(sample(choice.level), sample(choice.next), choice.weight);

@@ -19,6 +19,9 @@ int exponent_above(double v, int low, int high) {
     return e;
 }
 
+/// The integer part of a wide coordinate and its exponent are limited to these powers of two.
+constexpr int widest_offset = 30, widest_exponent = 32;
+
 float to_float(double v) { return static_cast<float>(v); }
 
 /// A gradient or value as float32. Only slivers have gradients beyond 2^62; clamped, they do not
@@ -46,6 +49,29 @@ Numerators numerators(std::span<const double> s, std::span<const double> w, doub
         n.at[i] = to_integer(round_even((unit * f) * (w_min / w[i])), 0, unit);
     }
     return n;
+}
+
+bool is_wide(double least, double greatest) {
+    return greatest - std::floor(least) > power_of_two(largest_exponent_in_float);
+}
+
+Numerators texture_numerators(std::span<const double> s, std::span<const double> w, bool repeats) {
+    const auto [least, greatest] = std::minmax_element(s.begin(), s.end());
+    const double k = std::floor(*least);
+    if (is_wide(*least, *greatest))
+        return numerators(s, w, bounded(k, power_of_two(widest_offset)), widest_exponent);
+    return numerators(s, w, repeats ? k : std::clamp(k, -1024.0, 1023.0),
+                      largest_exponent_in_float);
+}
+
+int wide_position(std::int64_t u, std::int64_t q, int exponent, std::int64_t k, int log2_size,
+                  bool repeats) {
+    constexpr std::int64_t limit = std::int64_t{1} << 30;
+    const int shift = log2_size + 8;
+    const auto p =
+        static_cast<std::int64_t>(std::floor(std::ldexp(double(u) / double(q), exponent + shift)));
+    if (repeats) return static_cast<int>(p & ((std::int64_t{1} << shift) - 1));
+    return static_cast<int>(std::clamp(p + k * (std::int64_t{1} << shift), -limit, limit));
 }
 
 Projective projective(std::span<const dvec4> strq, std::span<const double> w) {

@@ -25,6 +25,16 @@ std::array<std::int64_t, 3> denominators(std::span<const double> w);
 /// with 2^e >= max(s_i - k).
 Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
                       int largest_exponent = 10);
+/// Of a texture coordinate, above its integer part (R10.8). One that spans more than 2^10 repeats is
+/// wide (R9.19): its exponent is 11 .. 32.
+Numerators texture_numerators(std::span<const double> s, std::span<const double> w, bool repeats);
+inline constexpr int largest_exponent_in_float = 10;
+bool is_wide(double least, double greatest);
+/// Texel position of a wide coordinate (R10.26) with numerator u and denominator q at the pixel, on a
+/// level whose side is 2^log2_size.
+int wide_position(std::int64_t u, std::int64_t q, int exponent, std::int64_t k, int log2_size,
+                  bool repeats);
+
 /// The fog coordinate's numerators; it is clamped to 2^40 fog tables.
 inline constexpr int largest_fog_exponent = 40;
 

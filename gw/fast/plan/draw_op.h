@@ -40,6 +40,7 @@ struct DrawOp {
     bool uniform_color = false;      ///< each primitive has one colour at all its vertices
     bool perspective_color = false;  ///< smooth, not uniform, and the profile divides colours
     bool projective = false;         ///< texture coordinates are divided by q
+    bool wide_texcoords = false;     ///< of some primitives (R9.19)
     int visible_record = -1;         ///< the record that it makes or uses; -1: none
     bool counts_by_pixel = false;    ///< its record counts each pixel's fragments
     FragmentBytes bytes;
@@ -53,10 +54,10 @@ inline bool needs_depth(const DrawOp& op) {
 inline UniformPlanes touched_planes(const DrawOp& op) {
     return {op.state.writes_color, needs_depth(op)};
 }
-/// Whether a texture is looked up pixel by pixel: projective coordinates, the shadow comparison, and
-/// borders in more than 8 bits.
+/// Whether a texture is looked up pixel by pixel: projective or wide coordinates, the shadow
+/// comparison, and borders in more than 8 bits.
 inline bool textures_by_pixel(const DrawOp& op) {
-    return op.projective || op.state.state.texture.shadow_compare ||
+    return op.projective || op.wide_texcoords || op.state.state.texture.shadow_compare ||
            (!op.pairs && reaches_border(op.state.state.texture));
 }
 

@@ -262,6 +262,7 @@ struct Planner {
     void finish(DrawOp& op, std::size_t pass) {
         op.uniform_color = op.colors && op.colors->is_uniform(*op.group);
         op.perspective_color &= !op.uniform_color;
+        op.wide_texcoords = op.texcoords && op.texcoords->are_wide && !op.projective;
         machine.passes[pass].counters += op.group->counters();
     }
 };

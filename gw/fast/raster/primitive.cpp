@@ -101,16 +101,12 @@ struct Maker {
         out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));
     }
 
-    static double integer_part(std::span<const double> s, Wrap wrap) {
-        const double k = std::floor(*std::min_element(s.begin(), s.end()));
-        return wrap == Wrap::Repeat ? k : std::clamp(k, -1024.0, 1023.0);
-    }
     static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
         return {plane, n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
     }
     Numerators coordinate(int c, Wrap wrap) const {
         const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
-        return numerators(used(s), used(w()), integer_part(used(s), wrap));
+        return texture_numerators(used(s), used(w()), wrap == Wrap::Repeat);
     }
 
     void texture(TexturePlanes& out) const {

@@ -1,5 +1,5 @@
-// Texturing lane by lane, for lanes that may differ in level: mipmaps, projective coordinates,
-// shadow comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h
+// Texturing lane by lane, for lanes that may differ in level: mipmaps, projective and wide
+// coordinates, shadow comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h
 // with the reference machine.
 #include "gw/fast/raster/primitive.h"
 
@@ -36,10 +36,17 @@ struct PixelSampler {
     const TextureState& state;
     const Texels& texels;
     int i, j;
+    std::int32_t q = 1;
     float w = 1;
 
     float over_q(const TexturePlane& t) const {
         return static_cast<float>(value_at(t.plane, i, j)) * w;
+    }
+    int position(const TexturePlane& t, int log2_size, Wrap wrap) const {
+        if (!draw.op->projective && t.exponent > largest_exponent_in_float)
+            return wide_position(value_at(t.plane, i, j), q, t.exponent, t.k, log2_size,
+                                 wrap == Wrap::Repeat);
+        return level_coordinate(t, over_q(t), log2_size);
     }
 
     Rgba grey(bool lit) const {
@@ -50,8 +57,8 @@ struct PixelSampler {
     bool is_lit() const {
         const TexelLevel& level = texels.levels[0];
         const int bits = draw.profile->depth_bits;
-        const int u = level_coordinate(p.s, over_q(p.s), level.log2_width) >> 8;
-        const int v = level_coordinate(p.t, over_q(p.t), level.log2_height) >> 8;
+        const int u = position(p.s, level.log2_width, state.wrap_s) >> 8;
+        const int v = position(p.t, level.log2_height, state.wrap_t) >> 8;
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
         const auto incoming = to_integer(std::floor(r), 0, max_of_bits(bits));
         const int index = wrap_index(state.wrap_t, v, level.height) * level.width +
@@ -70,12 +77,12 @@ struct PixelSampler {
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
         return lookup(texels, level, linear, addressing(state, texels, draw.op->state.border_color),
-                      level_coordinate(p.s, over_q(p.s), level.log2_width),
-                      level_coordinate(p.t, over_q(p.t), level.log2_height));
+                      position(p.s, level.log2_width, state.wrap_s),
+                      position(p.t, level.log2_height, state.wrap_t));
     }
 
     Rgba texel() {
-        const std::int32_t q = value_at(p.q, i, j);
+        q = value_at(p.q, i, j);
         if (draw.op->projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());

@@ -6,6 +6,7 @@
 #include "gw/fast/vertices/light.h"
 #include "gw/fast/vertices/texgen.h"
 #include "gw/stages/clip.h"
+#include "gw/stages/perspective.h"
 
 #include <algorithm>
 #include <cmath>
@@ -340,6 +341,30 @@ void fog_vertices(VertexFog& out, const Profile& profile) {
     }
 }
 
+namespace {
+
+/// Whether s or t of a primitive of the used parts is wide. Most meshes as a whole are not.
+bool are_wide(const VertexTexcoords& texcoords) {
+    const auto spans_more = [](const dvec4& least, const dvec4& greatest) {
+        return is_wide(least.x, greatest.x) || is_wide(least.y, greatest.y);
+    };
+    dvec4 least(0), greatest(0);
+    for (const dvec4& v : texcoords.strq) {
+        least = glm::min(least, v);
+        greatest = glm::max(greatest, v);
+    }
+    if (!spans_more(least, greatest)) return false;
+    const VertexInputs& inputs = texcoords.inputs;
+    return std::ranges::any_of(inputs.set->primitives, [&](const SetupPrimitive& p) {
+        if (!inputs.draws[p.part]) return false;
+        const dvec4 &a = texcoords.strq[p.vertex[0]], &b = texcoords.strq[p.vertex[1]],
+                    &c = texcoords.strq[p.vertex[2]];
+        return spans_more(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)));
+    });
+}
+
+}  // namespace
+
 void texture_vertices(VertexTexcoords& out, const Profile& profile) {
     const auto& [set, state, draws] = out.inputs;
     State unlit = *state;
@@ -363,6 +388,7 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         vertices.for_each_new(
             program, [&](std::size_t v, const Vertex& vertex) { strq[v] = vertex.texcoord; });
     }
+    out.are_wide = are_wide(out);
 }
 
 }  // namespace gw::fast

@@ -62,6 +62,7 @@ struct VertexFog {
 struct VertexTexcoords {
     VertexInputs inputs;
     std::vector<dvec4> strq;
+    bool are_wide = false;  ///< s or t of a primitive (R9.19)
 
     void clear() { strq.clear(); }
     std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }

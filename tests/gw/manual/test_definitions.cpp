@@ -176,7 +176,7 @@ TEST(ManualRasterization, SlopesByHand) {
 }
 
 // [R9.19] [R9.14]
-TEST(ManualRasterization, ASpanOf1024RepeatsIsTheLongest) {
+TEST(ManualRasterization, ALongerSpanThanTheExponentIsLimited) {
     const std::array<double, 2> w{1, 1}, s{0, 5000};
     const Numerators n = numerators(s, w, 0);
     EXPECT_EQ(n.exponent, 10);

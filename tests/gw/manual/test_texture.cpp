@@ -109,6 +109,33 @@ TEST(ManualTexture, NearestAndLinear) {
     EXPECT_EQ(red(16, 0, MinFilter::Linear, MagFilter::Linear, Wrap::Clamp), 0);
 }
 
+/// Red at pixel x of a square of 64 pixels with s = from .. to; both filters Nearest.
+int wide_red(int x, float from, float to, Wrap wrap) {
+    Workbench bench(ideal(), 64, 64);
+    MeshData square =
+        test::mesh_data(Primitive::Quads, {{0, 0, 0}, {64, 0, 0}, {64, 64, 0}, {0, 64, 0}});
+    square.texcoords = {{from, 0}, {to, 0}, {to, 0}, {from, 0}};
+    Draw draw{.mesh = make_mesh(square)};
+    draw.map.texture = steps();
+    bench.state.texture.min_filter = MinFilter::Nearest;
+    bench.state.texture.mag_filter = MagFilter::Nearest;
+    bench.state.texture.wrap_s = wrap;
+    bench.draw(draw);
+    return bench.color(x, 1)[0] / 257;
+}
+
+// [R9.19] [R10.27]
+TEST(ManualTexture, WideCoordinates) {
+    EXPECT_EQ(wide_red(37, 0, 4097, Wrap::Repeat), 160);
+    EXPECT_EQ(wide_red(0, 0, 4097, Wrap::Repeat), 0);       // s = 32.0078
+    EXPECT_EQ(wide_red(20, 0, 4097, Wrap::Repeat), 80);     // s = 1312.32
+    EXPECT_EQ(wide_red(37, -1e6f, 1e6f, Wrap::Repeat), 0);  // s = 171875
+    // Column 32 has s = 0.6: left of it is texel 0, right of it texel 3.
+    for (const auto& [x, texel] : {std::pair(0, 0), std::pair(31, 0), std::pair(32, 160),
+                                   std::pair(33, 240), std::pair(63, 240)})
+        EXPECT_EQ(wide_red(x, -5077.525f, 4922.475f, Wrap::Clamp), texel) << x;
+}
+
 // [R10.12] [R10.14]
 TEST(ManualTexture, LevelOfDetail) {
     EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 160);

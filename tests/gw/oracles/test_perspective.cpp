@@ -162,6 +162,38 @@ TEST(PerspectiveOracle, TextureCoordinates) {
     RecordProperty("of_bound", (testing::Message() << worst.of_bound).GetString());
 }
 
+// [R9.19] [R10.27]
+TEST(PerspectiveOracle, WideTextureCoordinates) {
+    constexpr int texels = 1 << log2_texels;
+    const TextureRef texture = ramp();
+    long telling = 0;
+    for (int i = 0; i < 400 && !HasFailure(); ++i) {
+        SCOPED_TRACE(i);
+        Random random(std::uint64_t(i) + 9000);
+        Case c = random_case(random);
+        const int exponent = 11 + i % 10;
+        c.s = {0, std::ldexp(1.0, exponent) - 0.5, std::ldexp(double(random.fraction()), exponent)};
+        Workbench bench(ideal(), size, size);
+        bench.state.projection = w_is_z();
+        bench.state.texture.env = TexEnv::Replace;
+        bench.state.texture.min_filter = MinFilter::Nearest;
+        bench.state.texture.mag_filter = MagFilter::Nearest;
+        Draw draw = draw_of(c);
+        draw.map.texture = texture;
+        bench.draw(draw);
+        for_covered(c, [&](int x, int y, const GridPoint& p) {
+            const Exact exact = exact_quotient(c, c.s, p);
+            long double off = exact.value * texels - bench.color(x, y)[0] / 16 - 0.5L;
+            off -= texels * std::round(off / texels);
+            const long double error =
+                2.52L * exact.ratio * std::ldexp(1.0L, exponent - 30) * texels;
+            EXPECT_LE(std::abs(off), 0.5L + error) << x << " " << y;
+            telling += error < 100 ? 1 : 0;
+        });
+    }
+    EXPECT_GT(telling, 5000);
+}
+
 // [R9.10] [R9.16]
 TEST(PerspectiveOracle, GouraudOnIdeal) {
     Worst worst;
