@@ -4,7 +4,9 @@
 #include "gl/x11/quiet_errors.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cstdio>
 
 namespace gw::gl::x11 {
 
@@ -28,8 +30,16 @@ Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, K
       display_(display),
       kind_(kind),
       target_(target) {
+    warn_of_size(width, height);
     if (kind != Kind::Pbuffer)
         image_ = std::make_unique<ShownImage>(display, visual, target, height);
+}
+
+void Surface::warn_of_size(int width, int height) {
+    if (has_warned_ || (width <= max_window_size && height <= max_window_size)) return;
+    has_warned_ = true;
+    std::fprintf(stderr, "gw: warning: %s: %d x %d pixels; the machine draws at most %d x %d\n",
+                 name().c_str(), width, height, max_window_size, max_window_size);
 }
 
 Surface::~Surface() { end_background(); }
@@ -88,6 +98,7 @@ std::optional<Geometry> Surface::window_size() const {
 void Surface::take(const Geometry& window) {
     const auto lock = exclusive();
     image_->set_target_height(window.height);
+    warn_of_size(window.width, window.height);
     const int wide = size_on_machine(window.width), high = size_on_machine(window.height);
     if (wide != width() || high != height()) resize(wide, high);
 }

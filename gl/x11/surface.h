@@ -41,10 +41,13 @@ private:
     /// None: there is no window, or it is gone.
     std::optional<Geometry> window_size() const;
     void take(const Geometry& window);
+    /// Says once that a part of the window is not drawn, if so.
+    void warn_of_size(int width, int height);
 
     Display* const display_;
     const Kind kind_;
     const XID target_;
+    bool has_warned_ = false;
     std::unique_ptr<ShownImage> image_;   ///< null: there is nowhere to show
     std::unique_ptr<OwnConnection> own_;  ///< for frames that are shown from another thread
 };
