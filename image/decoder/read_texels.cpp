@@ -28,7 +28,15 @@ void check_spec(const OIIO::ImageSpec& spec) {
 std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
     OIIO::ImageSpec hints;
     hints.attribute("oiio:UnassociatedAlpha", 1);
-    auto input = OIIO::ImageInput::open(file.string(), &hints);
+    const std::string name = file.string();
+    std::unique_ptr<OIIO::ImageInput> input;
+    if (name.find('?') == name.npos) {
+        input = OIIO::ImageInput::open(name, &hints);
+    } else if (auto by_format = OIIO::ImageInput::create("x" + file.extension().string())) {
+        // In a name that it takes apart, OpenImageIO reads "?" as the begin of options.
+        OIIO::ImageSpec found;
+        if (by_format->open(name, found, hints)) input = std::move(by_format);
+    }
     if (!input) refuse("it cannot be read: " + one_line(OIIO::geterror()), "a picture file");
     return input;
 }

@@ -61,8 +61,11 @@ std::unique_ptr<OIIO::ImageOutput> writer_for(const std::filesystem::path& file)
     return output;
 }
 
-void encode(const Destination& file, const OIIO::ImageSpec& spec,
+void leave_out_time(OIIO::ImageSpec& spec) { spec.attribute("DateTime", ""); }
+
+void encode(const Destination& file, OIIO::ImageSpec spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert) {
+    leave_out_time(spec);
     const SilenceStderr silence;
     auto output = writer_for(file.target);
     if (!output) refuse(file, "no format of this extension");

@@ -21,9 +21,12 @@ struct Samples {
     const void* first = nullptr;
 };
 
-/// Encodes into `file`. `convert` gets the type that the format will store and returns the samples,
+/// The same values are the same file tomorrow.
+void leave_out_time(OIIO::ImageSpec& spec);
+
+/// Encodes into `file`, without the time. `convert` gets the type that the format will store and returns the samples,
 /// which must live until encode returns. Throws an Error that names the target.
-void encode(const Destination& file, const OIIO::ImageSpec& spec,
+void encode(const Destination& file, OIIO::ImageSpec spec,
             const std::function<Samples(OIIO::TypeDesc stored)>& convert);
 
 /// Throws Error: the target cannot be written, and why.

@@ -30,7 +30,7 @@ OIIO::ImageSpec spec_of(const Layers& all, std::size_t index) {
         spec.full_height = std::max(spec.full_height, other.height);
     }
     spec.attribute("compression", "zip");
-    spec.attribute("DateTime", "");  // the same values are the same file tomorrow
+    leave_out_time(spec);
     spec.attribute("oiio:subimagename", layer.name);
     std::string order;
     for (const std::string& channel : layer.channels) order += channel + ' ';
@@ -109,8 +109,10 @@ Layers read_layers(const std::filesystem::path& file, bool with_values) {
     if (!std::filesystem::exists(file, error))
         throw Error(file.string(), 0, "does not exist; expected a saved file");
     const SilenceStderr silence;
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input || std::string(input->format_name()) != "openexr") {
+    // By format, not by name: OpenImageIO reads "?" in a name as the begin of options.
+    const auto input = OIIO::ImageInput::create("openexr");
+    OIIO::ImageSpec first;
+    if (!input || !input->open(file.string(), first)) {
         OIIO::geterror();
         refuse(file, "it is no OpenEXR file");
     }

@@ -44,7 +44,6 @@ std::string format_of(const std::filesystem::path& file) {
 void put_picture(const Destination& file, const Picture& picture) {
     OIIO::ImageSpec spec(picture.width, picture.height, picture.channels,
                          wanted_type(format_of(file.target), picture.bits));
-    spec.attribute("DateTime", "");  // the same picture is the same file tomorrow
     Converted converted;
     encode(file, spec, [&](OIIO::TypeDesc stored) { return convert(picture, stored, converted); });
 }

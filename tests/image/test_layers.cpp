@@ -35,6 +35,18 @@ protected:
 
 TEST_F(LayersTest, ComeBackBitForBit) { EXPECT_EQ(read_layers(file), example()); }
 
+// OpenImageIO opens "a?b=c" as a with options.
+TEST_F(LayersTest, ComeBackFromFilesAndFoldersOfAnyName) {
+    for (const char* name : {"r?1", "a?b=c", "per%cent", "#1", "a b", "a:b", "a*b", "[x]"}) {
+        std::filesystem::create_directory(folder / name);
+        const auto odd = folder / name / (std::string(name) + ".exr");
+        OutputFile output(odd);
+        put_layers(output, example());
+        output.commit();
+        EXPECT_EQ(read_layers(odd), example()) << odd;
+    }
+}
+
 TEST_F(LayersTest, CutShortAreRefusedWhereverTheCutIs) {
     const auto size = std::filesystem::file_size(file);
     for (auto cut = size - 1; cut > 0; cut -= std::min<std::uintmax_t>(cut, 97)) {

@@ -97,6 +97,19 @@ TEST(ReadTexture, ReadsWhatWritePictureWrote) {
     }
 }
 
+TEST(ReadTexture, ReadsFilesAndFoldersOfAnyName) {
+    for (const char* name : {"r?1", "a?b=c", "per%cent", "#1", "a b", "a:b", "a*b", "[x]"}) {
+        const Folder folder;
+        std::filesystem::create_directory(folder / name);
+        for (const char* extension : {".png", ".tif", ".exr", ".ppm"}) {
+            const auto odd = folder / name / std::string(name).append(extension);
+            write_picture(
+                odd, {.width = 1, .height = 1, .channels = 3, .bits = 8, .values = {255, 0, 255}});
+            EXPECT_EQ(texels(odd).size(), 4u) << odd;
+        }
+    }
+}
+
 TEST(ReadTexture, RefusesWhatIsNoPicture) {
     const Folder folder;
     EXPECT_EQ(refusal(folder / "missing.png"), "no such file; expected a picture file");

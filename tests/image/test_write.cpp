@@ -147,6 +147,20 @@ TEST(WritePicture, RefusesAnUnknownExtensionAndListsUsualOnes) {
     }
 }
 
+TEST(PutValues, GivesTheSameBytesForTheSameValuesLater) {
+    const Folder folder;
+    const auto write = [&](const char* name) {
+        OutputFile file(folder / name);
+        put_values(file,
+                   {.width = 1, .height = 1, .channels = {"Z"}, .values = std::vector<float>{1}});
+        file.commit();
+        return bytes_of(folder / name);
+    };
+    const std::string first = write("first.exr");
+    ::sleep(1);
+    EXPECT_TRUE(first == write("second.exr"));
+}
+
 TEST(PutValues, HoldsAllThirtyTwoBits) {
     const Folder folder;
     const std::vector<std::uint32_t> depth{0, 1, 0xfffffffe, 0xffffffff, 1u << 24, (1u << 24) + 1};
