@@ -52,6 +52,24 @@ std::optional<std::string> mistyped(const CLI::App& app) {
            "; expected what gw " + at.get_name() + " --help lists";
 }
 
+bool is_blank(const std::string& value) {
+    return value.find_first_not_of(" \t\n\r\v\f") == value.npos;
+}
+
+/// An option that was given without a value, as by an unset variable of a shell: it must not be
+/// taken for one that was not given. The words for a program of gw gl are the program's.
+void check_values(const CLI::App& command) {
+    for (const CLI::Option* option : command.get_options()) {
+        const std::vector<std::string>& values = option->results();
+        const std::size_t ours = option->get_name() == "PROGRAM" ? 1 : values.size();
+        for (std::size_t i = 0; i < std::min(ours, values.size()); ++i)
+            if (is_blank(values[i]))
+                throw UsageError(option->get_name() + " '" + values[i] + "': expected " +
+                                 option->get_type_name() + ", not an empty word");
+    }
+    for (const CLI::App* inner : command.get_subcommands()) check_values(*inner);
+}
+
 constexpr const char* about =
     "A graphics workstation of 1991 in software, and the rendering that was invented for it.";
 
@@ -90,6 +108,7 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands, Session& 
     if (const auto word = mistyped(app)) throw UsageError(*word);
     for (const Command& command : commands) {
         if (!*command.app) continue;
+        check_values(*command.app);
         take_saved_options(*command.app);
         return command.run(session);
     }
