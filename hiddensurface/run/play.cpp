@@ -18,6 +18,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// More corners and runs of pixels in all drawn outlines need too much memory. An outline that is
+/// drawn again counts again, and each with some more.
+constexpr std::size_t most_drawn = 10'000'000, drawn_with_each = 16;
+
 /// Twice the area to the left of p -> q -> r.
 double turn_of(const dvec3& p, const dvec3& q, const dvec3& r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -210,7 +214,7 @@ private:
     }
 
     /// Gives the step its pixels, if the program leaves them to the outline.
-    void draw(Step& step, Play& play) const {
+    void draw(Step& step, Play& play) {
         if (step.pieces.empty() && step.painted.empty())
             throw Error("draws nothing; expected one piece in 'pieces', or 'painted'");
         const bool by_outline = step.painted.empty();
@@ -225,7 +229,14 @@ private:
                             "of 'made'");
             if (found == known_.end()) continue;
             for (const Piece& piece : found->second) {
+                const std::size_t before = step.painted.size();
                 if (by_outline) add_pixels(piece, step.painted);
+                drawn_ += drawn_with_each + step.painted.size() - before;
+                for (const Loop& loop : piece.parts) drawn_ += loop.size();
+                if (drawn_ > most_drawn)
+                    throw Error(
+                        "the drawn outlines have too many corners and runs of pixels; expected at "
+                        "most 10,000,000 in all");
                 play.pieces.push_back(piece);
             }
         }
@@ -246,6 +257,7 @@ private:
     const Input& input_;
     std::map<std::uint32_t, std::size_t> index_of_;    ///< by identifier
     std::map<std::string, std::vector<Piece>> known_;  ///< by name; convex if drawn by outline
+    std::size_t drawn_ = 0;
     bool has_header_ = false, ended_ = false;
 };
 

@@ -226,4 +226,20 @@ TEST(Play, RefusesToDrawAConcaveOutlineWithoutPixels) {
               "");
 }
 
+// A line of a few letters draws all loops of a piece again.
+TEST(Play, RefusesMoreOutlinesThanMemoryHolds) {
+    Trial trial(case_scene("cycle"));
+    const std::string triangle = "[[0,0,0],[160,0,0],[0,160,0]]";
+    std::string loops = triangle;
+    for (int i = 1; i < 20'000; ++i) loops += "," + triangle;
+    std::string text =
+        R"({"kind":"split","pieces":["1"],"made":[{"name":"1a","outline":[)" + loops + "]}]}\n";
+    for (int i = 0; i < 100; ++i)
+        text += R"({"kind":"draw","pieces":["1a"]})"
+                "\n";
+    const std::string said = error_of(trial, text);
+    EXPECT_NE(said.find("expected at most 10,000,000 in all"), std::string::npos) << said;
+    EXPECT_EQ(said.find("answer:"), 0u);
+}
+
 }  // namespace gw::hiddensurface
