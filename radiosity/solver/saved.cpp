@@ -100,6 +100,19 @@ std::string fact(const Saved& saved, const char* name) {
     return found == saved.facts.end() ? "" : found->second;
 }
 
+/// What of a fingerprint the command's options choose: "--hemicube 128 --parts 64 --seed 0".
+std::string chosen(const std::string& method) {
+    std::string text;
+    for (const std::string name : {"hemicube", "parts", "seed"}) {
+        const auto at = (" " + method).find(" " + name + " ");
+        if (at == method.npos) continue;
+        const auto value = at + name.size() + 1;
+        text += (text.empty() ? "--" : " --") + name + " " +
+                method.substr(value, method.find(' ', value) - value);
+    }
+    return text;
+}
+
 }  // namespace
 
 const std::vector<std::string>& saved_channels() {
@@ -179,8 +192,12 @@ void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorO
     if (saved.facts.contains("objects"))  // older files have none
         expect("objects", objects(model),
                fmt::format("was computed for objects named {}", fact(saved, "objects")));
-    expect("method", fingerprint(options),
-           fmt::format("was computed with {}", fact(saved, "method")));
+    const std::string method = fact(saved, "method"), wanted = fingerprint(options);
+    if (method == wanted) return;
+    if (chosen(method) == chosen(wanted))
+        throw Error(file, 0, "was computed by another version of gw; expected one of this version");
+    throw Error(file, 0,
+                fmt::format("was computed with {}; expected {}", chosen(method), chosen(wanted)));
 }
 
 Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
