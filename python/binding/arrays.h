@@ -46,17 +46,35 @@ inline std::string shape_text(const py::array& array) {
     return py::str(py::object(array.attr("shape"))).cast<std::string>();
 }
 
+/// NumPy's array of an object; `name` is the argument's. Throws Error if it is none, and MemoryError
+/// if NumPy has no memory for it.
+template <class Array = py::array>
+Array array_from(const py::object& object, const char* name) {
+    try {
+        return Array(object);
+    } catch (py::error_already_set& error) {
+        if (error.matches(PyExc_MemoryError)) throw;
+        throw Error(std::string(name) + ": no array of numbers; expected one");
+    }
+}
+
+/// A length along an axis of an image, as the machine counts. Throws Error if it does not fit.
+inline int length_of(const py::array& array, int axis, const char* name) {
+    const py::ssize_t length = array.shape(axis);
+    if (length > std::numeric_limits<int>::max())
+        throw Error(std::string(name) + ": an array of shape " + shape_text(array) +
+                    "; expected at most " + std::to_string(std::numeric_limits<int>::max()) +
+                    " along an axis");
+    return int(length);
+}
+
 /// Elements of `channels` numbers each: an array of (n, channels), or of n if channels is 1. None:
 /// no elements. Throws Error "positions: an array of shape (3,); expected (n, 3)".
 template <class Element, class Number>
 std::vector<Element> elements_of(const py::object& object, int channels, const char* name) {
     static_assert(std::is_standard_layout_v<Element>);
     if (object.is_none()) return {};
-    const Input<Number> array = Input<Number>::ensure(object);
-    if (!array) {
-        PyErr_Clear();
-        throw Error(std::string(name) + ": no array of numbers; expected one");
-    }
+    const auto array = array_from<Input<Number>>(object, name);
     const bool fits =
         channels == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == channels;
     if (!fits)
@@ -75,17 +93,13 @@ template <class Number>
 std::vector<Number> whole_numbers_of(const py::object& object, const char* name,
                                      std::int64_t least = 0) {
     if (object.is_none()) return {};
-    const py::array array = py::array::ensure(object);
-    if (!array) {
-        PyErr_Clear();
-        throw Error(std::string(name) + ": no array of numbers; expected one");
-    }
+    const auto array = array_from(object, name);
     const char kind = array.dtype().kind();
     if (array.size() > 0 && kind != 'i' && kind != 'u' && kind != 'b')
         throw Error(std::string(name) + ": an array of type " +
                     py::str(py::object(array.dtype())).cast<std::string>() +
                     "; expected whole numbers");
-    const auto wide = Input<std::int64_t>::ensure(array);
+    const auto wide = array_from<Input<std::int64_t>>(array, name);
     const std::int64_t most = std::int64_t(std::numeric_limits<Number>::max());
     std::vector<Number> out(std::size_t(wide.size()));
     for (std::size_t i = 0; i < out.size(); ++i) {

@@ -13,11 +13,9 @@ namespace {
 constexpr PlaneMask digested = all_planes;
 
 std::vector<Rgba> colors_of(const py::object& object, int channels_at, const char* name) {
-    const py::array array = py::array::ensure(object);
-    if (!array || array.ndim() < 1 || array.shape(array.ndim() - 1) != channels_at) {
-        PyErr_Clear();
+    const auto array = array_from(object, name);
+    if (array.ndim() < 1 || array.shape(array.ndim() - 1) != channels_at)
         throw Error(std::string(name) + ": expected an array of colours, (..., 4)");
-    }
     const auto flat = whole_numbers_of<std::uint16_t>(array, name);
     std::vector<Rgba> out(flat.size() / 4);
     if (!out.empty()) std::memcpy(out.data(), flat.data(), flat.size() * sizeof flat[0]);
@@ -66,7 +64,7 @@ void write_pixels(ListHolder& list, int x, int y, const py::array& values, Plane
         throw Error("values: an array of shape " + shape_text(values) + "; expected " +
                     (color ? "(height, width, 4)" : "(height, width)"));
     WritePixels command;
-    command.rect = {x, y, int(values.shape(1)), int(values.shape(0))};
+    command.rect = {x, y, length_of(values, 1, "values"), length_of(values, 0, "values")};
     command.plane = plane;
     command.depth = depth;
     if (color)
@@ -78,11 +76,9 @@ void write_pixels(ListHolder& list, int x, int y, const py::array& values, Plane
 
 void write_spans(ListHolder& list, const py::object& spans, const py::object& colors,
                  std::uint32_t depth, bool flat) {
-    const py::array rows = py::array::ensure(spans);
-    if (!rows || rows.ndim() != 2 || rows.shape(1) != 4) {
-        PyErr_Clear();
+    const auto rows = array_from(spans, "spans");
+    if (rows.ndim() != 2 || rows.shape(1) != 4)
         throw Error("spans: expected an array of whole numbers, (n, 4)");
-    }
     constexpr std::int64_t least = std::numeric_limits<std::int32_t>::min();
     const auto numbers = whole_numbers_of<std::int32_t>(rows, "spans", least);
     WriteSpans command;
@@ -103,8 +99,8 @@ void draw_pixels(ListHolder& list, double x, double y, const py::array& colors, 
         throw Error("colors: an array of shape " + shape_text(colors) +
                     "; expected (height, width, 4)");
     DrawPixels command;
-    command.width = int(colors.shape(1));
-    command.height = int(colors.shape(0));
+    command.width = length_of(colors, 1, "colors");
+    command.height = length_of(colors, 0, "colors");
     command.raster.x = x;
     command.raster.y = y;
     command.raster.depth = depth;

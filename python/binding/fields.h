@@ -86,6 +86,10 @@ void add_enum(py::module_& module, const char* name, const char* doc,
         }
         throw py::value_error(std::string(name) + " has no '" + word + "'; expected " + known);
     }));
+    // Pickled and copied by its name.
+    type.def("__reduce_ex__", [](const py::object& self, int) {
+        return py::make_tuple(py::type::of(self), py::make_tuple(self.attr("name")));
+    });
     py::implicitly_convertible<py::str, Enum>();
 }
 

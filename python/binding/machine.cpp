@@ -36,7 +36,10 @@ MachineHolder::MachineHolder(const Profile& profile, int width, int height, bool
 void MachineHolder::execute(const CommandList& list, Stop stop) {
     machine_.stop = std::move(stop);
     machine_.execute(list);
+    if (watched_.use_count() > 1) machine_.planes();
 }
+
+std::shared_ptr<void> MachineHolder::watch_planes() { return watched_; }
 
 void MachineHolder::execute(const CommandList& list) {
     python::in_turn(mutex_, [&] { execute(list, &check_signals); });
@@ -94,8 +97,17 @@ const Planes& current_planes(MachineHolder& machine) {
     return machine.in_turn([](Machine& m) -> const Planes& { return m.planes(); });
 }
 
+/// Keeps the machine, and its planes up to date, as long as a view lives.
+struct ViewOwner {
+    py::object machine;
+    std::shared_ptr<void> watch;
+};
+
 py::object plane_of(const py::object& self, Plane plane) {
-    return plane_view(current_planes(self.cast<MachineHolder&>()), plane, self);
+    auto& machine = self.cast<MachineHolder&>();
+    const py::capsule owner(new ViewOwner{self, machine.watch_planes()},
+                            [](void* p) { delete static_cast<ViewOwner*>(p); });
+    return plane_view(current_planes(machine), plane, owner);
 }
 
 /// A plane that every machine has, with its type.

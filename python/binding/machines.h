@@ -37,6 +37,8 @@ public:
     bool is_reference() const { return reference_; }
     /// Throws Error if it was not asked to record.
     inspect::Recording recording();
+    /// Who holds the result sees in a plane's memory what each later list leaves there.
+    std::shared_ptr<void> watch_planes();
 
 private:
     void execute(const CommandList& list, Stop stop);
@@ -45,6 +47,7 @@ private:
     std::vector<CommandList> lists_;
     int width_, height_;
     bool reference_, record_;
+    std::shared_ptr<int> watched_ = std::make_shared<int>();  ///< shared with those who watch
     std::mutex mutex_;
 };
 

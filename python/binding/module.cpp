@@ -3,7 +3,13 @@
 
 #include "gw/error.h"
 #include "gw/machine.h"
+#include "image/output/output_file.h"
 #include "python/binding/casters.h"
+#include "python/binding/running.h"
+#include "python/binding/sealed.h"
+
+#include <new>
+#include <stdexcept>
 
 namespace py = pybind11;
 
@@ -19,6 +25,10 @@ PYBIND11_MODULE(_gw, module) {
         } catch (const py::cast_error&) {
             PyErr_SetString(PyExc_TypeError,
                             "an object of another type; expected the method's own");
+        } catch (const std::bad_alloc&) {
+            PyErr_SetString(PyExc_MemoryError, "out of memory");
+        } catch (const std::length_error&) {
+            PyErr_SetString(PyExc_MemoryError, "out of memory");
         }
     });
     gw::python::add_state(module);
@@ -34,4 +44,14 @@ PYBIND11_MODULE(_gw, module) {
     gw::python::add_hidden_surfaces(module);
     module.def("simd_target", &gw::simd_target,
                "The vector instruction set that the fast machine uses here.");
+    module.def(
+        "write_file",
+        [](const std::filesystem::path& file, const py::bytes& bytes) {
+            gw::image::write_file(file, std::string_view(bytes));
+        },
+        py::arg("file"), py::arg("bytes"),
+        "Writes a whole file. It appears complete or not at all, keeps its owner and mode, and a "
+        "link is followed.");
+    gw::python::seal_classes(module);
+    gw::python::end_work_with_interpreter();
 }

@@ -82,16 +82,16 @@ TextureRef texture_of(const std::string& name, const py::array& texels) {
     if (texels.ndim() != 3 || texels.shape(2) != 4)
         throw Error("texels: an array of shape " + shape_text(texels) +
                     "; expected (height, width, 4), the bottom row first");
-    const int height = int(texels.shape(0)), width = int(texels.shape(1));
+    const int height = length_of(texels, 0, "texels"), width = length_of(texels, 1, "texels");
     const py::dtype type = texels.dtype();
     if (type.equal(py::dtype::of<std::uint8_t>())) {
-        const auto bytes = Input<std::uint8_t>::ensure(texels);
+        const auto bytes = array_from<Input<std::uint8_t>>(texels, "texels");
         return make_texture8(name, width, height, {bytes.data(), std::size_t(bytes.size())});
     }
     if (!type.equal(py::dtype::of<std::uint16_t>()))
         throw Error("texels: an array of type " + py::str(py::object(type)).cast<std::string>() +
                     "; expected uint8 or uint16");
-    const auto words = Input<std::uint16_t>::ensure(texels);
+    const auto words = array_from<Input<std::uint16_t>>(texels, "texels");
     return make_texture(name, width, height, {words.data(), std::size_t(words.size())});
 }
 

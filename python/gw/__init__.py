@@ -10,14 +10,28 @@
 Rows count from the bottom, as in OpenGL; a picture turns them. docs/python.md is the guide.
 """
 from pkgutil import extend_path
+from typing import TYPE_CHECKING
 
 # flatc puts the modules of recording.fbs into gw.gwt, in another folder.
 __path__ = extend_path(__path__, __name__)
 
 from ._gw import *
 from ._gw import Error as Error
-from . import hidden as hidden
+from . import conformance as conformance, hidden as hidden
 from .pictures import Picture as Picture, picture as picture
 from .rendering import render as render
+
+if TYPE_CHECKING:
+    from . import testing as testing
+else:
+
+    def __getattr__(name):
+        """gw.testing, which needs pytest, at its first use."""
+        if name != "testing":
+            raise AttributeError(f"module 'gw' has no attribute '{name}'")
+        from importlib import import_module
+
+        return import_module(".testing", __name__)
+
 
 __version__ = "0.1.0"

@@ -21,6 +21,7 @@ from typing import Any, Callable, Iterable, Iterator, Mapping
 
 from ._gw import Camera, Error, HiddenRun, Profile, Scene, hidden_algorithms, hidden_polygons_json, play_hidden
 from ._gw import run_hidden as run
+from ._gw import write_file
 
 __all__ = ["algorithms", "run", "steps", "polygons", "play", "save_player"]
 
@@ -78,12 +79,9 @@ def save_player(run: HiddenRun, file: str | os.PathLike[str]) -> None:
     page = Path(__file__).parent / "player.html"
     if not page.exists():
         raise Error("this build has no pages: Node was missing when it was made")
-    packed = base64.b64encode(gzip.compress(run.log().encode(), 9)).decode()
+    packed = base64.b64encode(gzip.compress(run.log().encode(), 9, mtime=0)).decode()
     data = f'<script class="data" type="text/plain">{packed}</script>\n'
     before, mark, after = page.read_text(encoding="utf-8").partition(_MARK)
     if not mark:
         raise Error(f"player.html lacks '{_MARK}'")
-    try:
-        Path(file).write_text(before + data + after, encoding="utf-8")
-    except OSError as error:
-        raise Error(f"{file}: cannot be written: {error.strerror}") from None
+    write_file(file, (before + data + after).encode())

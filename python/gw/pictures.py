@@ -3,14 +3,13 @@ from __future__ import annotations
 
 import os
 import struct
-import tempfile
 import zlib
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._gw import Error
+from ._gw import Error, write_file
 
 
 class Picture:
@@ -40,21 +39,7 @@ class Picture:
 
     def save(self, file: str | os.PathLike[str]) -> None:
         """Writes a PNG file, whole or not at all."""
-        folder, name = os.path.split(os.path.abspath(file))
-        try:
-            handle, temporary = tempfile.mkstemp(prefix="." + name, dir=folder)
-        except OSError as error:
-            raise Error(f"{file}: cannot be written: {error.strerror}") from None
-        try:
-            with os.fdopen(handle, "wb") as out:
-                out.write(self.png())
-            mask = os.umask(0)
-            os.umask(mask)
-            os.chmod(temporary, 0o666 & ~mask)
-            os.replace(temporary, file)
-        except OSError as error:
-            os.unlink(temporary)
-            raise Error(f"{file}: cannot be written: {error.strerror}") from None
+        write_file(file, self.png())
 
     def _repr_png_(self) -> bytes:
         return self.png()
