@@ -1,46 +1,90 @@
-// Checks SetState: extensions, enumerations, ranges and finite numbers of the whole state.
+// Checks SetState: extensions; every field by its type and range (gw/describe/state_fields.h); rules
+// of single fields.
+#include "gw/describe/opengl.h"
+#include "gw/describe/state_fields.h"
 #include "gw/validate/checker.h"
+
+#include <type_traits>
 
 namespace gw {
 namespace {
 
-bool wraps(const StencilOp op) { return op == StencilOp::IncrWrap || op == StencilOp::DecrWrap; }
-bool wraps(const auto& s) { return wraps(s.fail) || wraps(s.zfail) || wraps(s.zpass); }
-
-bool is_constant(BlendFactor f) { return f >= BlendFactor::ConstantColor; }
-
-void check_blend_extensions(const Checker& c, const BlendState& b) {
-    const Extensions& e = c.profile.extensions;
-    using enum BlendEquation;
-    c.extension(b.enable && (is_constant(b.src) || is_constant(b.dst)), e.blend_color,
-                "blend_color");
-    c.extension(b.enable && (b.equation == Min || b.equation == Max), e.blend_minmax,
-                "blend_minmax");
-    c.extension(b.enable && (b.equation == Subtract || b.equation == ReverseSubtract),
-                e.blend_subtract, "blend_subtract");
+/// The extension that brings a word.
+template <class Enum>
+void check_word(const Checker& c, Enum value) {
+    const Extensions& present = c.profile.extensions;
+    if (value > last_of<Enum> || has_word(present, value)) return;
+    for (const ExtensionName& extension : extension_names())
+        if (extension.member == opengl_word(value).extension)
+            c.extension(true, false, extension.name);
+}
+void check_words(const Checker& c, const auto& stencil_face) {
+    check_word(c, stencil_face.fail);
+    check_word(c, stencil_face.zfail);
+    check_word(c, stencil_face.zpass);
+}
+void check_words(const Checker& c, const BlendState& b) {
+    if (!b.enable) return;
+    check_word(c, b.src);
+    check_word(c, b.dst);
+    check_word(c, b.equation);
 }
 
 void check_extensions(const Checker& c, const State& s) {
     const Extensions& e = c.profile.extensions;
     const PolygonOffsetState& offset = s.polygon_offset;
     c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
-    c.extension(s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp,
-                e.texture_border, "texture_border");
+    check_word(c, s.texture.wrap_s);
+    check_word(c, s.texture.wrap_t);
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
                 "antialiasing");
     c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
     c.extension(s.texture.shadow_compare, e.shadow_texture, "shadow_texture");
-    c.extension(s.stencil.test && (wraps(s.stencil) || wraps(s.stencil.back)), e.stencil_wrap,
-                "stencil_wrap");
+    if (s.stencil.test) {
+        check_words(c, s.stencil);
+        check_words(c, s.stencil.back);
+    }
     c.extension(s.stencil.test && s.stencil.two_side, e.two_sided_stencil, "two_sided_stencil");
     c.extension(s.logic_op.enable, e.logic_op, "logic_op");
-    check_blend_extensions(c, s.blend);
+    check_words(c, s.blend);
 }
 
+template <class T>
+inline constexpr bool is_numbers = std::is_floating_point_v<T> || std::is_same_v<T, vec4> ||
+                                   std::is_same_v<T, dvec4> || std::is_same_v<T, dmat4>;
+template <class T>
+const auto* first_number(const T& v) {
+    if constexpr (std::is_floating_point_v<T>)
+        return &v;
+    else if constexpr (std::is_same_v<T, dmat4>)
+        return &v[0][0];
+    else
+        return &v.x;
+}
+template <class T>
+bool is_finite(const T& v) {
+    return all_finite(first_number(v), sizeof(T) / sizeof(*first_number(v)));
+}
+
+/// What the field's type and range allow. Names are made for messages only.
+template <Plain T>
+void check_value(const Checker& c, const Path& path, const T& v, const Bounds& bounds) {
+    if (bounds.check == Bounds::Check::Rule) return;
+    if constexpr (std::is_enum_v<T>) {
+        if (v > last_of<T>) c.enumeration(path.without_elements().c_str(), v, last_of<T>);
+    } else if constexpr (std::is_signed_v<T>) {
+        if (bounds.check == Bounds::Check::Range && !(v >= bounds.least && v <= bounds.most))
+            c.require(false, path.without_elements().c_str(), v,
+                      fmt::format("{} to {}", bounds.least, bounds.most).c_str());
+    }
+    if constexpr (is_numbers<T>)
+        if (!is_finite(v)) c.finite(path.without_elements().c_str(), v);
+}
+
+// ---- Rules of their own: Bounds::Check::Rule ----------------------------------------------------
+
 void check_fog(const Checker& c, const FogState& fog) {
-    c.enumeration("fog.mode", fog.mode, FogMode::Exp2);
-    c.enumeration("fog.coordinate", fog.coordinate, FogCoordinate::Fragment);
     if (!fog.enable) return;
     c.finite("fog.start", fog.start);
     c.finite("fog.end", fog.end);
@@ -52,100 +96,45 @@ void check_fog(const Checker& c, const FogState& fog) {
                   "a positive number");
 }
 
-void check_rasterization(const Checker& c, const State& s) {
+void check_jitter(const Checker& c, const JitterState& jitter) {
     const int units = 1 << c.profile.subpixel_bits;
-    c.enumeration("cull.face", s.cull.face, Face::FrontAndBack);
-    c.enumeration("cull.front", s.cull.front, Winding::CCW);
-    c.enumeration("polygon_mode", s.polygon_mode, PolygonMode::Fill);
-    c.enumeration("back_polygon_mode", s.back_polygon_mode, PolygonMode::Fill);
-    c.require(s.line_stipple.factor >= 1 && s.line_stipple.factor <= 256, "line_stipple.factor",
-              s.line_stipple.factor, "1 to 256");
-    c.enumeration("shade_model", s.shade_model, ShadeModel::Smooth);
-    c.enumeration("color_source", s.color_source, ColorSource::PolygonId);
-    c.require(s.jitter.x > -units && s.jitter.x < units, "jitter.x", s.jitter.x,
-              "less than a pixel");
-    c.require(s.jitter.y > -units && s.jitter.y < units, "jitter.y", s.jitter.y,
-              "less than a pixel");
-    c.require(s.point_size >= 1 && s.point_size <= 128, "point_size", s.point_size, "1 to 128");
-    c.require(s.line_width >= 1 && s.line_width <= 128, "line_width", s.line_width, "1 to 128");
-    c.finite("polygon_offset.factor", s.polygon_offset.factor);
-    c.finite("polygon_offset.units", s.polygon_offset.units);
+    c.require(jitter.x > -units && jitter.x < units, "jitter.x", jitter.x, "less than a pixel");
+    c.require(jitter.y > -units && jitter.y < units, "jitter.y", jitter.y, "less than a pixel");
 }
 
-/// [GL11] tables 4.1 and 4.2: each colour factor is allowed on one side only.
+void check_factor(const Checker& c, const char* field, BlendFactor factor, bool is_allowed,
+                  const char* side) {
+    if (!is_allowed)
+        c.fail(fmt::format("{} = {}; expected a {} factor", field, enumerator(factor), side));
+}
 void check_blend(const Checker& c, const BlendState& b) {
-    c.enumeration("blend.src", b.src, BlendFactor::OneMinusConstantAlpha);
-    c.enumeration("blend.dst", b.dst, BlendFactor::OneMinusConstantAlpha);
-    c.enumeration("blend.equation", b.equation, BlendEquation::Max);
-    c.finite("blend.color", b.color);
-    const auto refuse = [&](const char* field, BlendFactor given, BlendFactor factor,
-                            const char* word) {
-        if (given == factor)
-            c.fail(fmt::format("blend.{} = {}; expected a {} factor", field, word,
-                               field[0] == 's' ? "source" : "destination"));
-    };
-    refuse("src", b.src, BlendFactor::SrcColor, "SrcColor");
-    refuse("src", b.src, BlendFactor::OneMinusSrcColor, "OneMinusSrcColor");
-    refuse("dst", b.dst, BlendFactor::DstColor, "DstColor");
-    refuse("dst", b.dst, BlendFactor::OneMinusDstColor, "OneMinusDstColor");
-    refuse("dst", b.dst, BlendFactor::SrcAlphaSaturate, "SrcAlphaSaturate");
+    check_factor(c, "blend.src", b.src, is_source(b.src), "source");
+    check_factor(c, "blend.dst", b.dst, is_destination(b.dst), "destination");
 }
 
-void check_stencil(const Checker& c, const StencilFace& face) {
-    c.enumeration("stencil.func", face.func, StencilFunc::Always);
-    for (const StencilOp op : {face.fail, face.zfail, face.zpass})
-        c.enumeration("stencil operation", op, StencilOp::DecrWrap);
+/// The sphere gives s and t only.
+void check_coordinates(const Checker& c, const std::array<CoordinateGen, 4>& coordinates) {
+    for (std::size_t i = 2; i < 4; ++i)
+        c.enumeration("texture.coordinates", coordinates[i].mode, CoordinateMode::EyeLinear);
 }
 
-void check_texture(const Checker& c, const TextureState& t) {
-    c.enumeration("texture.min_filter", t.min_filter, MinFilter::LinearMipmapLinear);
-    c.enumeration("texture.mag_filter", t.mag_filter, MagFilter::Linear);
-    c.enumeration("texture.wrap_s", t.wrap_s, Wrap::BorderClamp);
-    c.enumeration("texture.wrap_t", t.wrap_t, Wrap::BorderClamp);
-    c.enumeration("texture.env", t.env, TexEnv::Replace);
-    c.enumeration("texture.gen", t.gen, TexGen::PerCoordinate);
-    for (std::size_t i = 0; i < 4; ++i) {
-        const CoordinateMode last = i < 2 ? CoordinateMode::SphereMap : CoordinateMode::EyeLinear;
-        c.enumeration("texture.coordinates", t.coordinates[i].mode, last);
-        c.finite("texture.coordinates", t.coordinates[i].plane);
-    }
-    c.finite("texture.matrix", t.matrix);
-    c.finite("texture.border_color", t.border_color);
-    c.finite("texture.eta", t.eta);
-    c.finite("texture.eye_linear", t.eye_linear);
-    c.finite("texture.env_color", t.env_color);
-}
-
-void check_fragment_tests(const Checker& c, const State& s) {
-    c.require(s.scissor.box.width >= 0 && s.scissor.box.height >= 0, "scissor.box.width",
-              s.scissor.box.width, "0 or more");
-    c.enumeration("alpha.func", s.alpha.func, AlphaFunc::Always);
-    c.require(std::isfinite(s.alpha.ref), "alpha.ref", s.alpha.ref, "a finite number");
-    check_stencil(c, s.stencil.front());
-    check_stencil(c, s.stencil.back);
-    c.enumeration("depth.func", s.depth.func, DepthFunc::Always);
+void check_scissor(const Checker& c, const Rect& box) {
+    c.require(box.width >= 0 && box.height >= 0, "scissor.box.width", box.width, "0 or more");
 }
 
 void check_buffers(const Checker& c, const State& s) {
-    c.enumeration("draw_buffer", s.draw_buffer, DrawBuffer::FrontAndBack);
-    c.enumeration("read_buffer", s.read_buffer, ReadBuffer::Back);
     const bool two = c.profile.color_planes == 2;
     c.color_plane("draw_buffer", two || s.draw_buffer != DrawBuffer::Back, "Back");
     c.color_plane("draw_buffer", two || s.draw_buffer != DrawBuffer::FrontAndBack, "FrontAndBack");
     c.color_plane("read_buffer", two || s.read_buffer != ReadBuffer::Back, "Back");
 }
 
-void check_viewport(const Checker& c, const State& s) {
-    const ViewportState& v = s.viewport;
+void check_viewport(const Checker& c, const ViewportState& v) {
     const bool whole = v.width == 0 && v.height == 0;
     c.require(whole || (v.width >= 1 && v.width <= max_window_size), "viewport.width", v.width,
               "1 to 4096");
     c.require(whole || (v.height >= 1 && v.height <= max_window_size), "viewport.height", v.height,
               "1 to 4096");
-    c.position("viewport.x", v.x);
-    c.position("viewport.y", v.y);
-    c.finite("depth_range.near_value", s.depth_range.near_value);
-    c.finite("depth_range.far_value", s.depth_range.far_value);
 }
 
 }  // namespace
@@ -153,22 +142,16 @@ void check_viewport(const Checker& c, const State& s) {
 void check(const Checker& c, const SetState& set) {
     const State& s = set.state;
     check_extensions(c, s);
-    c.finite("projection", s.projection);
-    check_viewport(c, s);
-    for (const ClipPlane& plane : s.clip_planes)
-        for (int i = 0; i < 4; ++i) c.finite("clip_planes", plane.plane[i]);
-    check_rasterization(c, s);
-    check_blend(c, s.blend);
-    c.enumeration("logic_op.op", s.logic_op.op, LogicOp::Set);
+    for_each_value(s, [&](const Path& path, const Plain auto& value, const auto& field) {
+        check_value(c, path, value, field.bounds);
+    });
+    check_viewport(c, s.viewport);
+    check_jitter(c, s.jitter);
     check_fog(c, s.fog);
-    check_fragment_tests(c, s);
+    check_coordinates(c, s.texture.coordinates);
+    check_scissor(c, s.scissor.box);
+    check_blend(c, s.blend);
     check_buffers(c, s);
-    c.finite("lighting.model_ambient", s.lighting.model_ambient);
-    c.enumeration("lighting.color_material.face", s.lighting.color_material.face,
-                  Face::FrontAndBack);
-    c.enumeration("lighting.color_material.mode", s.lighting.color_material.mode,
-                  ColorMaterial::AmbientAndDiffuse);
-    check_texture(c, s.texture);
 }
 
 }  // namespace gw

@@ -5,13 +5,11 @@
 #include "gw/stages/perspective.h"
 #include "gw/stages/texels.h"
 #include "gw/stages/vertex.h"
-#include "inspect/text/state_fields.h"
 #include "test_paths.h"
 #include "tests/gw/workbench.h"
 
 #include <cmath>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 namespace gw {
@@ -53,28 +51,6 @@ TEST(ManualNumbers, ComparisonsWithNanAreFalse) {
     const dvec3 p(-INFINITY, 0, 0);
     // The attenuation is NaN too: as if it were the least one.
     EXPECT_EQ(light_terms(spot, p, {0, 0, 1}, {0, 0, 1}, 1, true).ambient, 1 / 1e-30);
-}
-
-/// Fields are written as "`group.member`", or as "`.member`" after the first of their row.
-// [R4.1] [R4.2]
-TEST(ManualState, EveryFieldIsInTheTable) {
-    const std::string text = page("state.md");
-    for (const inspect::Field& field : inspect::fields(State{})) {
-        std::string name =
-            std::regex_replace(field.name, std::regex(R"(clip_planes\.\d)"), "clip_planes[0 .. 5]");
-        name = std::regex_replace(name, std::regex(R"(coordinates\.\d)"), "coordinates[0 .. 3]");
-        const std::string member = name.substr(name.rfind('.') + 1);
-        EXPECT_TRUE(
-            text.find("`" + name + "`") != text.npos ||
-            text.find("`." + member + "`") != text.npos ||
-            text.find("`" + name + ".") != text.npos ||
-            (name.starts_with("stencil.back.") && text.find("`stencil.back.`") != text.npos))
-            << name;
-    }
-    EXPECT_EQ(int(CompareFunc::Always), 7);
-    EXPECT_EQ(int(StencilOp::DecrWrap), 7);
-    EXPECT_EQ(int(BlendFactor::SrcAlphaSaturate), 10);
-    EXPECT_EQ(int(TexGen::EyeLinear), 3);
 }
 
 // [R4.3]

@@ -1,5 +1,14 @@
 // docs/manual/fragments.md: the worked examples. tests/gw/exhaustive has every case of the tables.
+#include "gw/base/arithmetic.h"
+#include "gw/describe/opengl.h"
+#include "gw/stages/tables.h"
+#include "test_paths.h"
 #include "tests/gw/workbench.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <map>
 
 namespace gw {
 namespace {
@@ -70,6 +79,105 @@ TEST(ManualFragments, TestsInTheirOrder) {
     EXPECT_EQ(c.fragments, 2u);
     EXPECT_EQ(c.alpha_killed, 1u);
     EXPECT_EQ(c.stencil_killed, 1u);
+}
+
+/// A formula of the page: names, numbers, + and -, min(a, b) and max(a, b).
+class Formula {
+public:
+    using Values = std::map<std::string, int, std::less<>>;
+    static int value(std::string_view text, const Values& values) {
+        Formula formula{text, values};
+        const int v = formula.sum();
+        if (!formula.rest_.empty()) ADD_FAILURE() << "no formula: " << text;
+        return v;
+    }
+
+private:
+    Formula(std::string_view text, const Values& values) : rest_(text), values_(values) {}
+    bool take(char c) {
+        while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+        if (!rest_.starts_with(c)) return false;
+        rest_.remove_prefix(1);
+        return true;
+    }
+    int sum() {
+        int v = operand();
+        while (true) {
+            if (take('+'))
+                v += operand();
+            else if (take('-'))
+                v -= operand();
+            else
+                return v;
+        }
+    }
+    int operand() {
+        take(' ');
+        const auto end = std::ranges::find_if_not(
+            rest_, [](unsigned char c) { return std::isalnum(c) || c == '\''; });
+        const std::string word(rest_.begin(), end);
+        rest_.remove_prefix(word.size());
+        if (take('(')) {
+            const int a = sum();
+            take(',');
+            const int b = sum();
+            take(')');
+            return word == "min" ? std::min(a, b) : std::max(a, b);
+        }
+        const auto named = values_.find(word);
+        return named != values_.end() ? named->second : std::stoi(word);
+    }
+
+    std::string_view rest_;
+    const Values& values_;
+};
+
+/// "| Subtract | `max(0, s' - d')` | blend_subtract |", a row of the table of equations.
+struct EquationRow {
+    std::string name, formula, extension;
+};
+
+std::vector<EquationRow> equations_of_page() {
+    std::ifstream page(GW_SOURCE_DIR "/docs/manual/fragments.md");
+    std::vector<EquationRow> rows;
+    bool inside = false;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("| equation |")) inside = true;
+        if (line.empty()) inside = false;
+        const std::size_t start = line.find(" | `"), end = line.rfind("` |");
+        if (!inside || start == line.npos) continue;
+        rows.push_back({line.substr(2, start - 2), line.substr(start + 4, end - start - 4),
+                        line.size() > end + 6 ? line.substr(end + 4, line.size() - end - 6) : ""});
+    }
+    return rows;
+}
+
+std::string extension_of(BlendEquation equation) {
+    for (const ExtensionName& extension : extension_names())
+        if (extension.member == opengl_word(equation).extension) return extension.name;
+    return "";
+}
+
+// [R12.11] [R12.14]
+TEST(ManualFragments, EveryEquationIsThatOfItsRow) {
+    const auto rows = equations_of_page();
+    ASSERT_EQ(rows.size(), count_of<BlendEquation>);
+    BlendState state{true, BlendFactor::ConstantAlpha, BlendFactor::OneMinusConstantAlpha};
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const auto& [name, formula, extension] = rows[i];
+        state.equation = static_cast<BlendEquation>(i);
+        ASSERT_EQ(name, enumerator(state.equation));
+        EXPECT_EQ(extension, extension_of(state.equation)) << name;
+        for (std::uint16_t s = 0; s < 256; ++s)
+            for (std::uint16_t d = 0; d < 256; ++d) {
+                const int s_part = int(mul(s, 200u, 8)), d_part = int(mul(d, 55u, 8));
+                const Formula::Values values{
+                    {"one", 255}, {"s", s}, {"d", d}, {"s'", s_part}, {"d'", d_part}};
+                ASSERT_EQ(blend(state, {{s}, {d}, {0, 0, 0, 200}}, 8)[0],
+                          Formula::value(formula, values))
+                    << name << " of " << s << " and " << d;
+            }
+    }
 }
 
 // [R12.14] [R12.15]

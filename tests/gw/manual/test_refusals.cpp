@@ -95,7 +95,7 @@ TEST(Refusals, MasksAndEnumerationsThatNameNothingAreRefused) {
     State state;
     state.stencil.back.zfail = static_cast<StencilOp>(8);
     EXPECT_EQ(refusal(SetState{state}),
-              "command 0 (SetState): stencil operation = 8; expected 0 to 7");
+              "command 0 (SetState): stencil.back.zfail = 8; expected 0 to 7");
     state = {};
     state.texture.min_filter = static_cast<MinFilter>(6);
     EXPECT_EQ(refusal(SetState{state}),
