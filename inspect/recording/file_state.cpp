@@ -1,7 +1,14 @@
-// Each group of the state in both directions.
+// The state in both directions, by the fields of gw/describe/state_fields.h and of the schema: one
+// name is one member. `ours` says where members stand that the schema keeps elsewhere.
+#include "gw/describe/enumerators.h"
+#include "gw/describe/state_fields.h"
 #include "inspect/recording/file_values.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace gw::inspect {
 namespace {
@@ -9,366 +16,269 @@ namespace {
 using inspect::from_file;
 using inspect::to_file;
 
-static_assert(int(CompareFunc::Always) == int(gwt::CompareFunc::MAX));
-static_assert(int(StencilOp::DecrWrap) == int(gwt::StencilOp::MAX));
-static_assert(int(BlendFactor::OneMinusConstantAlpha) == int(gwt::BlendFactor::MAX));
-static_assert(int(BlendEquation::Max) == int(gwt::BlendEquation::MAX));
-static_assert(int(CoordinateMode::SphereMap) == int(gwt::CoordinateMode::MAX));
-static_assert(int(ColorMaterial::AmbientAndDiffuse) == int(gwt::ColorMaterial::MAX));
-static_assert(int(Wrap::BorderClamp) == int(gwt::Wrap::MAX));
-static_assert(int(TextureFormat::Intensity) == int(gwt::TextureFormat::MAX));
-static_assert(int(DrawBuffer::FrontAndBack) == int(gwt::DrawBuffer::MAX));
-static_assert(int(ReadBuffer::Back) == int(gwt::ReadBuffer::MAX));
-static_assert(int(LogicOp::Set) == int(gwt::LogicOp::MAX));
-static_assert(int(MinFilter::LinearMipmapLinear) == int(gwt::MinFilter::MAX));
-static_assert(int(TexEnv::Replace) == int(gwt::TexEnv::MAX));
-static_assert(int(TexGen::PerCoordinate) == int(gwt::TexGen::MAX));
-static_assert(int(ColorSource::PolygonId) == int(gwt::ColorSource::MAX));
-static_assert(int(FogCoordinate::Fragment) == int(gwt::FogCoordinate::MAX));
+template <class Ours, class File>
+inline constexpr bool has_same_values = names_of<Ours> == names_of<File>;
+// As bytes in the schema's StencilFace, and in textures:
+static_assert(has_same_values<StencilOp, gwt::StencilOp>);
+static_assert(has_same_values<TextureFormat, gwt::TextureFormat>);
 
-gwt::CompareFunc to_file(CompareFunc f) { return file_enum<gwt::CompareFunc>(f); }
-gwt::StencilOp to_file(StencilOp op) { return file_enum<gwt::StencilOp>(op); }
-gwt::BlendFactor to_file(BlendFactor f) { return file_enum<gwt::BlendFactor>(f); }
-CompareFunc from_file(gwt::CompareFunc f) { return our_enum<CompareFunc>(f); }
-StencilOp from_file(gwt::StencilOp op) { return our_enum<StencilOp>(op); }
-BlendFactor from_file(gwt::BlendFactor f) { return our_enum<BlendFactor>(f); }
+// ---- Groups: structs of the schema --------------------------------------------------------------
 
-gwt::Viewport to_file(const ViewportState& v) { return {v.x, v.y, v.width, v.height}; }
-ViewportState from_file(const gwt::Viewport& v) { return {v.x(), v.y(), v.width(), v.height()}; }
-
-gwt::DepthRange to_file(const DepthRangeState& r) { return {r.near_value, r.far_value}; }
-DepthRangeState from_file(const gwt::DepthRange& r) { return {r.near_value(), r.far_value()}; }
-
-gwt::ClipPlane to_file(const ClipPlane& p) { return {p.enable, to_file(p.plane)}; }
-ClipPlane from_file(const gwt::ClipPlane& p) { return {p.enable(), from_file(p.plane())}; }
-
-gwt::Cull to_file(const CullState& c) {
-    return {c.enable, file_enum<gwt::Face>(c.face), file_enum<gwt::Winding>(c.front)};
+template <class Struct>
+constexpr std::size_t place_of(std::string_view name) {
+    std::size_t place = 0, found = std::tuple_size_v<decltype(fields_of<Struct>)>;
+    for_each_field<Struct>([&](const auto& field) {
+        if (field.name == name) found = place;
+        ++place;
+    });
+    return found;
 }
-CullState from_file(const gwt::Cull& c) {
-    return {c.enable(), our_enum<Face>(c.face()), our_enum<Winding>(c.front())};
+/// The member of that name, of a struct or a const one. A name that there is not does not compile.
+template <std::size_t place, class Struct>
+auto& member(Struct& object) {
+    return object.*std::get<place>(fields_of<std::remove_const_t<Struct>>).member;
 }
 
-gwt::PolygonOffset to_file(const PolygonOffsetState& o) { return {o.enable, o.factor, o.units}; }
-/// All but the members of version 2.
-PolygonOffsetState from_file(const gwt::PolygonOffset& o) {
-    return {.enable = o.enable(), .factor = o.factor(), .units = o.units()};
+template <class File>
+inline constexpr auto places_in = std::make_index_sequence<File::Traits::fields_number>();
+template <class File, std::size_t i>
+inline constexpr std::string_view name_in = File::Traits::field_names[i];
+
+template <class File, class Value>
+File stored(const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+        if constexpr (std::is_enum_v<File>) static_assert(has_same_values<Value, File>);
+        return static_cast<File>(value);
+    } else if constexpr (Described<Value>) {
+        return [&]<std::size_t... i>(std::index_sequence<i...>) {
+            return File(stored<typename File::Traits::template FieldType<i>>(
+                member<place_of<Value>(name_in<File, i>)>(value))...);
+        }
+        (places_in<File>);
+    } else if constexpr (std::is_same_v<File, Value>) {
+        return value;
+    } else {
+        return to_file(value);
+    }
+}
+template <>
+gwt::Stencil stored(const StencilState& s) {
+    return {s.test, stored<gwt::StencilFace>(s), s.two_side, stored<gwt::StencilFace>(s.back)};
 }
 
-gwt::Jitter to_file(const JitterState& j) { return {j.x, j.y}; }
-JitterState from_file(const gwt::Jitter& j) { return {j.x(), j.y()}; }
-
-gwt::Lighting to_file(const LightingState& l) {
-    return {l.local_viewer, l.two_side, to_file(l.model_ambient)};
+template <class File, class Value>
+void read(const File& file, Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+        value = our_enum<Value>(file);
+    } else if constexpr (Described<Value>) {
+        [&]<std::size_t... i>(std::index_sequence<i...>) {
+            (read(file.template get_field<i>(), member<place_of<Value>(name_in<File, i>)>(value)),
+             ...);
+        }
+        (places_in<File>);
+    } else if constexpr (std::is_same_v<File, Value>) {
+        value = file;
+    } else {
+        value = from_file(file);
+    }
 }
-/// All but the members of version 2.
-LightingState from_file(const gwt::Lighting& l) {
-    return {.local_viewer = l.local_viewer(),
-            .two_side = l.two_side(),
-            .model_ambient = from_file(l.model_ambient())};
-}
-
-gwt::ColorMaterialUse to_file(const ColorMaterialState& c) {
-    return {c.enable, file_enum<gwt::Face>(c.face), file_enum<gwt::ColorMaterial>(c.mode)};
-}
-ColorMaterialState from_file(const gwt::ColorMaterialUse& c) {
-    return {c.enable(), our_enum<Face>(c.face()), our_enum<ColorMaterial>(c.mode())};
-}
-
-gwt::LineStipple to_file(const LineStippleState& l) { return {l.enable, l.factor, l.pattern}; }
-LineStippleState from_file(const gwt::LineStipple& l) {
-    return {l.enable(), l.factor(), l.pattern()};
+void read(const gwt::Stencil& file, StencilState& s) {
+    s.test = file.test();
+    read(file.front(), s);
+    s.two_side = file.two_side();
+    read(file.back(), s.back);
 }
 
-gwt::CoordinateGen to_file(const CoordinateGen& c) {
-    return {file_enum<gwt::CoordinateMode>(c.mode), to_file(c.plane)};
-}
-CoordinateGen from_file(const gwt::CoordinateGen& c) {
-    return {our_enum<CoordinateMode>(c.mode()), from_file(c.plane())};
+// ---- The table State ----------------------------------------------------------------------------
+
+template <std::size_t i>
+inline constexpr std::string_view name_of_member = name_in<gwt::State, i>;
+
+/// Our member for the schema's member i, of a State or a const one.
+template <std::size_t i, class OurState>
+auto& ours(OurState& s) {
+    constexpr std::string_view name = name_of_member<i>;
+    if constexpr (name == "blend_equation")
+        return s.blend.equation;
+    else if constexpr (name == "blend_color")
+        return s.blend.color;
+    else if constexpr (name == "color_material")
+        return s.lighting.color_material;
+    else if constexpr (name == "coordinates")
+        return s.texture.coordinates;
+    else if constexpr (name == "texture_matrix")
+        return s.texture.matrix;
+    else if constexpr (name == "border_color")
+        return s.texture.border_color;
+    else if constexpr (name == "offset_lines")
+        return s.polygon_offset.lines;
+    else if constexpr (name == "offset_points")
+        return s.polygon_offset.points;
+    else
+        return member<place_of<State>(name)>(s);
 }
 
-gwt::Fog to_file(const FogState& f) {
-    return {f.enable,
-            file_enum<gwt::FogMode>(f.mode),
-            f.density,
-            f.start,
-            f.end,
-            to_file(f.color),
-            file_enum<gwt::FogCoordinate>(f.coordinate)};
+/// point_size, line_width and sizes are one thing: two numbers, which version 1 has only whole.
+constexpr bool is_size(std::string_view name) {
+    return name == "point_size" || name == "line_width" || name == "sizes";
 }
-FogState from_file(const gwt::Fog& f) {
-    return {.enable = f.enable(),
-            .mode = our_enum<FogMode>(f.mode()),
-            .density = f.density(),
-            .start = f.start(),
-            .end = f.end(),
-            .color = from_file(f.color()),
-            .coordinate = our_enum<FogCoordinate>(f.coordinate())};
-}
-
-gwt::TextureLookup to_file(const TextureState& t) {
-    return {file_enum<gwt::MinFilter>(t.min_filter),
-            file_enum<gwt::MagFilter>(t.mag_filter),
-            file_enum<gwt::Wrap>(t.wrap_s),
-            file_enum<gwt::Wrap>(t.wrap_t),
-            file_enum<gwt::TexEnv>(t.env),
-            to_file(t.env_color),
-            file_enum<gwt::TexGen>(t.gen),
-            t.eta,
-            to_file(t.eye_linear),
-            t.shadow_compare};
-}
-/// All but the members of version 2.
-TextureState from_file(const gwt::TextureLookup& t) {
-    return {.min_filter = our_enum<MinFilter>(t.min_filter()),
-            .mag_filter = our_enum<MagFilter>(t.mag_filter()),
-            .wrap_s = our_enum<Wrap>(t.wrap_s()),
-            .wrap_t = our_enum<Wrap>(t.wrap_t()),
-            .env = our_enum<TexEnv>(t.env()),
-            .env_color = from_file(t.env_color()),
-            .gen = our_enum<TexGen>(t.gen()),
-            .eta = t.eta(),
-            .eye_linear = from_file(t.eye_linear()),
-            .shadow_compare = t.shadow_compare()};
-}
-
-gwt::Scissor to_file(const ScissorState& s) { return {s.test, to_file(s.box)}; }
-ScissorState from_file(const gwt::Scissor& s) { return {s.test(), from_file(s.box())}; }
-
-gwt::Alpha to_file(const AlphaState& a) { return {a.test, to_file(a.func), a.ref}; }
-AlphaState from_file(const gwt::Alpha& a) { return {a.test(), from_file(a.func()), a.ref()}; }
-
-template <typename Face>
-gwt::StencilFace face_to_file(const Face& f) {
-    const auto byte = [](auto word) { return static_cast<std::uint8_t>(to_file(word)); };
-    return {byte(f.func), f.ref, f.mask, byte(f.fail), byte(f.zfail), byte(f.zpass), f.write_mask};
-}
-StencilFace from_file(const gwt::StencilFace& f) {
-    const auto op = [](std::uint8_t byte) { return from_file(gwt::StencilOp{byte}); };
-    return {.func = from_file(gwt::CompareFunc{f.func()}),
-            .ref = f.ref(),
-            .mask = f.mask(),
-            .fail = op(f.fail()),
-            .zfail = op(f.zfail()),
-            .zpass = op(f.zpass()),
-            .write_mask = f.write_mask()};
-}
-gwt::Stencil to_file(const StencilState& s) {
-    return {s.test, face_to_file(s), s.two_side, face_to_file(s.back)};
-}
-StencilState from_file(const gwt::Stencil& s) {
-    const StencilFace f = from_file(s.front());
-    return {.test = s.test(),
-            .func = f.func,
-            .ref = f.ref,
-            .mask = f.mask,
-            .fail = f.fail,
-            .zfail = f.zfail,
-            .zpass = f.zpass,
-            .write_mask = f.write_mask,
-            .two_side = s.two_side(),
-            .back = from_file(s.back())};
-}
-
-gwt::Depth to_file(const DepthState& d) { return {d.test, to_file(d.func), d.mask}; }
-DepthState from_file(const gwt::Depth& d) { return {d.test(), from_file(d.func()), d.mask()}; }
-
-gwt::Blend to_file(const BlendState& b) { return {b.enable, to_file(b.src), to_file(b.dst)}; }
-/// All but the members of version 2.
-BlendState from_file(const gwt::Blend& b) {
-    return {.enable = b.enable(), .src = from_file(b.src()), .dst = from_file(b.dst())};
-}
-
-gwt::LogicOperation to_file(const LogicOpState& l) {
-    return {l.enable, file_enum<gwt::LogicOp>(l.op)};
-}
-LogicOpState from_file(const gwt::LogicOperation& l) {
-    return {l.enable(), our_enum<LogicOp>(l.op())};
-}
-
-gwt::ColorMask to_file(const ColorMask& m) { return {m.r, m.g, m.b, m.a}; }
-ColorMask from_file(const gwt::ColorMask& m) { return {m.r(), m.g(), m.b(), m.a()}; }
-
-flatbuffers::Offset<flatbuffers::Vector<const gwt::ClipPlane*>> clip_planes_to_file(
-    flatbuffers::FlatBufferBuilder& out, const State& state) {
-    if (state.clip_planes == State{}.clip_planes) return 0;
-    std::vector<gwt::ClipPlane> planes;
-    for (const ClipPlane& plane : state.clip_planes) planes.push_back(to_file(plane));
-    return out.CreateVectorOfStructs(planes);
-}
-
-flatbuffers::Offset<flatbuffers::Vector<const gwt::CoordinateGen*>> coordinates_to_file(
-    flatbuffers::FlatBufferBuilder& out, const State& state) {
-    if (state.texture.coordinates == TextureState{}.coordinates) return 0;
-    std::vector<gwt::CoordinateGen> all;
-    for (const CoordinateGen& c : state.texture.coordinates) all.push_back(to_file(c));
-    return out.CreateVectorOfStructs(all);
-}
-
-void read_coordinates(const flatbuffers::Vector<const gwt::CoordinateGen*>* stored, State& state) {
-    if (!stored || stored->size() == 0) return;
-    if (stored->size() != 4)
-        throw Error(fmt::format("{} texture coordinates in a state; expected 4", stored->size()));
-    for (unsigned i = 0; i < 4; ++i) state.texture.coordinates[i] = from_file(*stored->Get(i));
-}
-
-void read_polygon_stipple(const flatbuffers::Vector<std::uint32_t>* stored, State& state) {
-    if (!stored || stored->size() == 0) return;
-    std::array<std::uint32_t, 32> rows;
-    if (stored->size() != rows.size())
-        throw Error(
-            fmt::format("{} rows of a polygon stipple; expected {}", stored->size(), rows.size()));
-    std::copy(stored->begin(), stored->end(), rows.begin());
-    state.polygon_stipple.pattern = std::make_shared<const std::array<std::uint32_t, 32>>(rows);
-}
-
-void read_clip_planes(const flatbuffers::Vector<const gwt::ClipPlane*>* planes, State& state) {
-    if (!planes || planes->size() == 0) return;
-    if (planes->size() != max_clip_planes)
-        throw Error(
-            fmt::format("{} clip planes in a state; expected {}", planes->size(), max_clip_planes));
-    for (unsigned i = 0; i < planes->size(); ++i) state.clip_planes[i] = from_file(*planes->Get(i));
-}
-
-/// Whether a size is one of version 1: whole.
 bool is_whole(float size) { return size == std::floor(size) && std::abs(size) < 65536; }
 bool has_whole_sizes(const State& s) { return is_whole(s.point_size) && is_whole(s.line_width); }
 
-bool is_constant(BlendFactor factor) { return factor >= BlendFactor::ConstantColor; }
+const State& initial() {
+    static const State state;
+    return state;
+}
 
-/// A group that is there.
-template <typename File, typename Group>
-void read(const File* stored, Group& group) {
-    if (stored) group = from_file(*stored);
+template <std::size_t i>
+bool is_initial(const State& s) {
+    if constexpr (name_of_member<i> == "sizes")
+        return has_whole_sizes(s);
+    else if constexpr (is_size(name_of_member<i>))
+        return true;
+    else
+        return ours<i>(s) == ours<i>(initial());
+}
+
+constexpr auto state_places = places_in<gwt::State>;
+template <std::size_t i>
+using FileMember = gwt::State::Traits::FieldType<i>;
+
+template <class File>
+inline constexpr bool is_vector = false;
+template <class Element>
+inline constexpr bool is_vector<const flatbuffers::Vector<Element>*> = true;
+
+/// Vectors are stored before the table that has them; by member.
+using Vectors = std::array<flatbuffers::Offset<void>, gwt::State::Traits::fields_number>;
+
+template <class File, class Element, std::size_t size>
+flatbuffers::Offset<void> vector_to_file(flatbuffers::FlatBufferBuilder& out,
+                                         const std::array<Element, size>& elements) {
+    using FileElement = std::remove_cvref_t<decltype(*std::declval<File>()->Get(0))>;
+    std::vector<FileElement> all;
+    for (const Element& element : elements) all.push_back(stored<FileElement>(element));
+    return out.CreateVectorOfStructs(all).Union();
+}
+template <class File>
+flatbuffers::Offset<void> vector_to_file(flatbuffers::FlatBufferBuilder& out,
+                                         const PolygonStippleState& stipple) {
+    return out.CreateVector(stipple.pattern->data(), stipple.pattern->size()).Union();
+}
+
+template <std::size_t i>
+void add_vector(flatbuffers::FlatBufferBuilder& out, const State& s, Vectors& vectors) {
+    if constexpr (is_vector<FileMember<i>>)
+        if (!is_initial<i>(s)) vectors[i] = vector_to_file<FileMember<i>>(out, ours<i>(s));
+}
+
+void add_size(gwt::StateBuilder& b, std::string_view name, const State& s) {
+    const gwt::Sizes sizes{s.point_size, s.line_width};
+    if (name == "sizes" && !has_whole_sizes(s)) b.add_sizes(&sizes);
+    if (name == "point_size" && has_whole_sizes(s)) b.add_point_size(int(s.point_size));
+    if (name == "line_width" && has_whole_sizes(s)) b.add_line_width(int(s.line_width));
+}
+
+/// The schema's member i, unless it is at its initial value.
+template <std::size_t i>
+void add(gwt::StateBuilder& b, const Vectors& vectors, const State& s) {
+    using File = FileMember<i>;
+    constexpr flatbuffers::voffset_t place = 4 + 2 * i;
+    if constexpr (is_size(name_of_member<i>)) {
+        add_size(b, name_of_member<i>, s);
+    } else if constexpr (is_vector<File>) {
+        b.fbb_.AddOffset(place, vectors[i]);
+    } else if constexpr (std::is_pointer_v<File>) {
+        if (is_initial<i>(s)) return;
+        const auto value = stored<std::remove_cvref_t<std::remove_pointer_t<File>>>(ours<i>(s));
+        b.fbb_.AddStruct(place, &value);
+    } else {
+        using Number = std::conditional_t<sizeof(File) == 1, std::uint8_t, File>;
+        const auto number = [](const auto& v) { return static_cast<Number>(stored<File>(v)); };
+        b.fbb_.AddElement<Number>(place, number(ours<i>(s)), number(ours<i>(initial())));
+    }
+}
+
+/// "clip planes in a state"
+std::string vector_words(std::string_view member) {
+    if (member == "polygon_stipple") return "rows of a polygon stipple";
+    std::string words(member == "coordinates" ? "texture_coordinates" : member);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words + " in a state";
+}
+/// None, or all.
+void check_size(std::size_t size, std::size_t expected, std::string_view member) {
+    if (size != 0 && size != expected)
+        throw Error(fmt::format("{} {}; expected {}", size, vector_words(member), expected));
+}
+template <class Files, class Element, std::size_t size>
+void read_elements(const Files& files, std::array<Element, size>& elements) {
+    for (unsigned i = 0; i < files.size(); ++i) read(*files.Get(i), elements[i]);
+}
+constexpr std::size_t size_of(const auto& elements) { return elements.size(); }
+constexpr std::size_t size_of(const PolygonStippleState&) { return 32; }
+
+template <class Files>
+void read_elements(const Files& files, PolygonStippleState& stipple) {
+    std::array<std::uint32_t, 32> rows;
+    if (files.size() == 0) return;
+    std::copy(files.begin(), files.end(), rows.begin());
+    stipple.pattern = std::make_shared<const std::array<std::uint32_t, 32>>(rows);
+}
+
+/// The schema's member i, if it is there.
+template <std::size_t i>
+void read_member(const gwt::State& f, State& s) {
+    const auto file = f.get_field<i>();
+    if constexpr (is_size(name_of_member<i>)) {
+        s.point_size = f.sizes() ? f.sizes()->point() : float(f.point_size());
+        s.line_width = f.sizes() ? f.sizes()->line() : float(f.line_width());
+    } else if constexpr (is_vector<FileMember<i>>) {
+        if (!file) return;
+        check_size(file->size(), size_of(ours<i>(s)), name_of_member<i>);
+        read_elements(*file, ours<i>(s));
+    } else if constexpr (std::is_pointer_v<FileMember<i>>) {
+        if (file) read(*file, ours<i>(s));
+    } else {
+        read(file, ours<i>(s));
+    }
+}
+
+/// Enumerators of version 2 in members of version 1.
+bool has_enumerator_of_version_2(const State& s) {
+    const auto is_constant = [](BlendFactor f) { return f >= BlendFactor::ConstantColor; };
+    return is_constant(s.blend.src) || is_constant(s.blend.dst) ||
+           s.texture.gen == TexGen::PerCoordinate || s.texture.wrap_s == Wrap::BorderClamp ||
+           s.texture.wrap_t == Wrap::BorderClamp;
+}
+
+constexpr bool is_of_version_2(std::size_t place) {
+    return 4 + 2 * place >= gwt::State::VT_BLEND_EQUATION;
 }
 
 }  // namespace
 
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& s) {
-    static const State initial;
-    const auto planes = clip_planes_to_file(out, s);
-    const auto coordinates = coordinates_to_file(out, s);
-    flatbuffers::Offset<flatbuffers::Vector<std::uint32_t>> polygon_stipple;
-    if (s.polygon_stipple.pattern)
-        polygon_stipple = out.CreateVector(s.polygon_stipple.pattern->data(), 32);
+    Vectors vectors;
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (add_vector<i>(out, s, vectors), ...); }
+    (state_places);
     gwt::StateBuilder b(out);
-    const auto add = [&](auto add_group, auto State::*group) {
-        if (s.*group == initial.*group) return;
-        const auto stored = to_file(s.*group);
-        (b.*add_group)(&stored);
-    };
-    add(&gwt::StateBuilder::add_projection, &State::projection);
-    add(&gwt::StateBuilder::add_viewport, &State::viewport);
-    add(&gwt::StateBuilder::add_depth_range, &State::depth_range);
-    b.add_clip_planes(planes);
-    add(&gwt::StateBuilder::add_cull, &State::cull);
-    b.add_polygon_mode(file_enum<gwt::PolygonMode>(s.polygon_mode));
-    add(&gwt::StateBuilder::add_polygon_offset, &State::polygon_offset);
-    add(&gwt::StateBuilder::add_jitter, &State::jitter);
-    const gwt::Sizes sizes{s.point_size, s.line_width};
-    if (has_whole_sizes(s)) {
-        b.add_point_size(int(s.point_size));
-        b.add_line_width(int(s.line_width));
-    }
-    b.add_shade_model(file_enum<gwt::ShadeModel>(s.shade_model));
-    b.add_color_source(file_enum<gwt::ColorSource>(s.color_source));
-    add(&gwt::StateBuilder::add_lighting, &State::lighting);
-    add(&gwt::StateBuilder::add_fog, &State::fog);
-    add(&gwt::StateBuilder::add_texture, &State::texture);
-    add(&gwt::StateBuilder::add_scissor, &State::scissor);
-    add(&gwt::StateBuilder::add_alpha, &State::alpha);
-    add(&gwt::StateBuilder::add_stencil, &State::stencil);
-    add(&gwt::StateBuilder::add_depth, &State::depth);
-    add(&gwt::StateBuilder::add_blend, &State::blend);
-    add(&gwt::StateBuilder::add_color_mask, &State::color_mask);
-    b.add_blend_equation(file_enum<gwt::BlendEquation>(s.blend.equation));
-    const auto blend_color = to_file(s.blend.color);
-    if (s.blend.color != initial.blend.color) b.add_blend_color(&blend_color);
-    add(&gwt::StateBuilder::add_logic_op, &State::logic_op);
-    b.add_normalize(s.normalize);
-    const auto follows = to_file(s.lighting.color_material);
-    if (s.lighting.color_material != initial.lighting.color_material)
-        b.add_color_material(&follows);
-    b.add_coordinates(coordinates);
-    const auto matrix = to_file(s.texture.matrix);
-    if (s.texture.matrix != initial.texture.matrix) b.add_texture_matrix(&matrix);
-    const auto border_color = to_file(s.texture.border_color);
-    if (s.texture.border_color != initial.texture.border_color) b.add_border_color(&border_color);
-    b.add_offset_lines(s.polygon_offset.lines);
-    b.add_offset_points(s.polygon_offset.points);
-    b.add_two_side_polygon_mode(s.two_side_polygon_mode);
-    b.add_back_polygon_mode(file_enum<gwt::PolygonMode>(s.back_polygon_mode));
-    add(&gwt::StateBuilder::add_line_stipple, &State::line_stipple);
-    b.add_polygon_stipple(polygon_stipple);
-    if (!has_whole_sizes(s)) b.add_sizes(&sizes);
-    b.add_point_smooth(s.point_smooth);
-    b.add_line_smooth(s.line_smooth);
-    b.add_polygon_smooth(s.polygon_smooth);
-    b.add_draw_buffer(file_enum<gwt::DrawBuffer>(s.draw_buffer));
-    b.add_read_buffer(file_enum<gwt::ReadBuffer>(s.read_buffer));
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (add<i>(b, vectors, s), ...); }
+    (state_places);
     return b.Finish();
 }
 
 bool needs_version_2(const State& s) {
-    const State initial;
-    const BlendState& b = s.blend;
-    return b.equation != initial.blend.equation || b.color != initial.blend.color ||
-           is_constant(b.src) || is_constant(b.dst) || s.logic_op != initial.logic_op ||
-           !s.normalize || s.lighting.color_material != initial.lighting.color_material ||
-           s.texture.gen == TexGen::PerCoordinate ||
-           s.texture.coordinates != initial.texture.coordinates ||
-           s.texture.matrix != initial.texture.matrix ||
-           s.texture.border_color != initial.texture.border_color ||
-           s.texture.wrap_s == Wrap::BorderClamp || s.texture.wrap_t == Wrap::BorderClamp ||
-           s.polygon_offset.lines || s.polygon_offset.points || s.two_side_polygon_mode ||
-           s.back_polygon_mode != initial.back_polygon_mode ||
-           s.line_stipple != initial.line_stipple || s.polygon_stipple.pattern || antialiases(s) ||
-           !has_whole_sizes(s) || s.draw_buffer != initial.draw_buffer ||
-           s.read_buffer != initial.read_buffer;
+    return has_enumerator_of_version_2(s) || [&]<std::size_t... i>(std::index_sequence<i...>) {
+        return ((is_of_version_2(i) && !is_initial<i>(s)) || ...);
+    }
+    (state_places);
 }
 
 State from_file(const gwt::State& f) {
     State s;
-    read(f.projection(), s.projection);
-    read(f.viewport(), s.viewport);
-    read(f.depth_range(), s.depth_range);
-    read_clip_planes(f.clip_planes(), s);
-    read(f.cull(), s.cull);
-    s.polygon_mode = our_enum<PolygonMode>(f.polygon_mode());
-    read(f.polygon_offset(), s.polygon_offset);
-    read(f.jitter(), s.jitter);
-    s.point_size = f.sizes() ? f.sizes()->point() : float(f.point_size());
-    s.line_width = f.sizes() ? f.sizes()->line() : float(f.line_width());
-    s.point_smooth = f.point_smooth();
-    s.line_smooth = f.line_smooth();
-    s.polygon_smooth = f.polygon_smooth();
-    s.shade_model = our_enum<ShadeModel>(f.shade_model());
-    s.color_source = our_enum<ColorSource>(f.color_source());
-    read(f.lighting(), s.lighting);
-    read(f.fog(), s.fog);
-    read(f.texture(), s.texture);
-    read(f.scissor(), s.scissor);
-    read(f.alpha(), s.alpha);
-    read(f.stencil(), s.stencil);
-    read(f.depth(), s.depth);
-    read(f.blend(), s.blend);
-    read(f.color_mask(), s.color_mask);
-    s.blend.equation = our_enum<BlendEquation>(f.blend_equation());
-    read(f.blend_color(), s.blend.color);
-    read(f.logic_op(), s.logic_op);
-    s.normalize = f.normalize();
-    read(f.color_material(), s.lighting.color_material);
-    read_coordinates(f.coordinates(), s);
-    read(f.texture_matrix(), s.texture.matrix);
-    read(f.border_color(), s.texture.border_color);
-    s.polygon_offset.lines = f.offset_lines();
-    s.polygon_offset.points = f.offset_points();
-    s.two_side_polygon_mode = f.two_side_polygon_mode();
-    s.back_polygon_mode = our_enum<PolygonMode>(f.back_polygon_mode());
-    read(f.line_stipple(), s.line_stipple);
-    read_polygon_stipple(f.polygon_stipple(), s);
-    s.draw_buffer = our_enum<DrawBuffer>(f.draw_buffer());
-    s.read_buffer = our_enum<ReadBuffer>(f.read_buffer());
+    [&]<std::size_t... i>(std::index_sequence<i...>) { (read_member<i>(f, s), ...); }
+    (state_places);
     return s;
 }
 

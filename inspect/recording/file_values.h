@@ -3,12 +3,15 @@
 #pragma once
 
 #include "gw/command_list.h"
+#include "gw/describe/enumerators.h"
 #include "gw/error.h"
 #include "gw/state.h"
 #include "inspect/recording/calls.h"
 #include "recording_generated.h"
 
 #include <fmt/format.h>
+
+#include <type_traits>
 
 namespace gw::inspect {
 
@@ -42,11 +45,14 @@ constexpr File file_enum(Ours value) {
     return static_cast<File>(value);
 }
 
+/// A byte of the file stands for all of our values.
 template <typename Ours, typename File>
 Ours our_enum(File value) {
-    if (value < File::MIN || value > File::MAX)
-        throw Error(fmt::format("the value {} of an enumeration; expected {} to {}", int(value),
-                                int(File::MIN), int(File::MAX)));
+    int last = int(last_of<Ours>);
+    if constexpr (std::is_enum_v<File>) last = int(File::MAX);
+    if (int(value) < 0 || int(value) > last)
+        throw Error(
+            fmt::format("the value {} of an enumeration; expected 0 to {}", int(value), last));
     return static_cast<Ours>(value);
 }
 

@@ -15,7 +15,7 @@ struct Field {
     bool operator==(const Field&) const = default;
 };
 
-/// All fields, in the order of gw/state.h.
+/// All fields, in the order of gw/describe/state_fields.h.
 std::vector<Field> fields(const State& state);
 /// Those whose values differ from `before`'s.
 std::vector<Field> changed_fields(const State& before, const State& state);

@@ -1,7 +1,5 @@
 #include "inspect/text/value_text.h"
 
-#include "inspect/recording/file_values.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -46,41 +44,5 @@ std::string text(const ColorMask& m) {
     return std::string(m.r ? "r" : "-") + (m.g ? "g" : "-") + (m.b ? "b" : "-") + (m.a ? "a" : "-");
 }
 std::string text(const std::optional<std::uint32_t>& v) { return v ? std::to_string(*v) : "none"; }
-
-std::string text(Primitive v) { return gwt::EnumNamePrimitive(file_enum<gwt::Primitive>(v)); }
-std::string text(Plane v) { return gwt::EnumNamePlane(file_enum<gwt::Plane>(v)); }
-std::string text(AccumOp v) { return gwt::EnumNameAccumOp(file_enum<gwt::AccumOp>(v)); }
-std::string text(CompareFunc v) { return gwt::EnumNameCompareFunc(file_enum<gwt::CompareFunc>(v)); }
-std::string text(StencilOp v) { return gwt::EnumNameStencilOp(file_enum<gwt::StencilOp>(v)); }
-std::string text(BlendFactor v) { return gwt::EnumNameBlendFactor(file_enum<gwt::BlendFactor>(v)); }
-std::string text(BlendEquation v) {
-    return gwt::EnumNameBlendEquation(file_enum<gwt::BlendEquation>(v));
-}
-std::string text(LogicOp v) { return gwt::EnumNameLogicOp(file_enum<gwt::LogicOp>(v)); }
-std::string text(Face v) { return gwt::EnumNameFace(file_enum<gwt::Face>(v)); }
-std::string text(Winding v) { return gwt::EnumNameWinding(file_enum<gwt::Winding>(v)); }
-std::string text(PolygonMode v) { return gwt::EnumNamePolygonMode(file_enum<gwt::PolygonMode>(v)); }
-std::string text(ShadeModel v) { return gwt::EnumNameShadeModel(file_enum<gwt::ShadeModel>(v)); }
-std::string text(ColorSource v) { return gwt::EnumNameColorSource(file_enum<gwt::ColorSource>(v)); }
-std::string text(ColorMaterial v) {
-    return gwt::EnumNameColorMaterial(file_enum<gwt::ColorMaterial>(v));
-}
-std::string text(CoordinateMode v) {
-    return gwt::EnumNameCoordinateMode(file_enum<gwt::CoordinateMode>(v));
-}
-std::string text(TextureFormat v) {
-    return gwt::EnumNameTextureFormat(file_enum<gwt::TextureFormat>(v));
-}
-std::string text(FogMode v) { return gwt::EnumNameFogMode(file_enum<gwt::FogMode>(v)); }
-std::string text(FogCoordinate v) {
-    return gwt::EnumNameFogCoordinate(file_enum<gwt::FogCoordinate>(v));
-}
-std::string text(MinFilter v) { return gwt::EnumNameMinFilter(file_enum<gwt::MinFilter>(v)); }
-std::string text(MagFilter v) { return gwt::EnumNameMagFilter(file_enum<gwt::MagFilter>(v)); }
-std::string text(Wrap v) { return gwt::EnumNameWrap(file_enum<gwt::Wrap>(v)); }
-std::string text(TexEnv v) { return gwt::EnumNameTexEnv(file_enum<gwt::TexEnv>(v)); }
-std::string text(TexGen v) { return gwt::EnumNameTexGen(file_enum<gwt::TexGen>(v)); }
-std::string text(DrawBuffer v) { return gwt::EnumNameDrawBuffer(file_enum<gwt::DrawBuffer>(v)); }
-std::string text(ReadBuffer v) { return gwt::EnumNameReadBuffer(file_enum<gwt::ReadBuffer>(v)); }
 
 }  // namespace gw::inspect

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "gw/command_list.h"
+#include "gw/describe/enumerators.h"
 
 #include <string>
+#include <type_traits>
 
 namespace gw::inspect {
 
@@ -30,30 +32,8 @@ std::string text(const FaceMaterials& m);
 std::string text(const ColorMask& m);                     ///< "rg-a"
 std::string text(const std::optional<std::uint32_t>& v);  ///< "none" if there is none
 
-std::string text(Primitive v);
-std::string text(Plane v);
-std::string text(AccumOp v);
-std::string text(CompareFunc v);
-std::string text(StencilOp v);
-std::string text(BlendFactor v);
-std::string text(BlendEquation v);
-std::string text(LogicOp v);
-std::string text(Face v);
-std::string text(Winding v);
-std::string text(PolygonMode v);
-std::string text(ShadeModel v);
-std::string text(ColorSource v);
-std::string text(ColorMaterial v);
-std::string text(CoordinateMode v);
-std::string text(TextureFormat v);
-std::string text(FogMode v);
-std::string text(FogCoordinate v);
-std::string text(MinFilter v);
-std::string text(MagFilter v);
-std::string text(Wrap v);
-std::string text(TexEnv v);
-std::string text(TexGen v);
-std::string text(DrawBuffer v);
-std::string text(ReadBuffer v);
+/// "OneMinusSrcAlpha"; "" if no enumerator has the value.
+template <class Enum>
+requires std::is_enum_v<Enum> std::string text(Enum v) { return std::string(enumerator(v)); }
 
 }  // namespace gw::inspect
