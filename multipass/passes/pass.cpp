@@ -28,6 +28,15 @@ std::string stencil_text(const StencilState& s) {
     return text;
 }
 
+std::string blend_text(const BlendState& b) {
+    if (!b.enable) return "";
+    std::string text = fmt::format("; blend {} {}", token(b.src), token(b.dst));
+    if (b.equation != BlendEquation::Add) text += fmt::format(", {}", token(b.equation));
+    const vec4& c = b.color;
+    if (c != vec4(0)) text += fmt::format(", color ({}, {}, {}, {})", c.x, c.y, c.z, c.w);
+    return text;
+}
+
 std::string objects_text(const Pass& pass) {
     if (pass.objects == PassObjects::All) return "";
     if (pass.objects != PassObjects::Named) return fmt::format("; objects {}", token(pass.objects));
@@ -72,9 +81,8 @@ std::string to_string(const Pass& pass) {
     std::string text = fmt::format("{:<11} ", shown(pass.name.view()));
     text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", token(pass.lights));
-    text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil);
-    if (pass.blend.enable)
-        text += fmt::format("; blend {} {}", token(pass.blend.src), token(pass.blend.dst));
+    text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil) +
+            blend_text(pass.blend);
     if (pass.fog != PassFog::None) text += fmt::format("; fog {}", token(pass.fog));
     text += clear_text(pass.clear);
     if (!pass.color) text += "; no colour";

@@ -1,5 +1,6 @@
 #include "multipass/passes/pass_toml.h"
 
+#include "gw/describe/opengl.h"
 #include "multipass/passes/pass.h"
 #include "multipass/passes/tokens.h"
 #include "multipass/passes/validate_passes.h"
@@ -44,6 +45,8 @@ void pass_keys(Keys& keys, PassOrConst& pass) {
     keys.table("blend", pass.blend.enable, pass.blend, [](auto& k, auto& blend) {
         k.source("src", blend.src);
         k.destination("dst", blend.dst);
+        k.token("equation", blend.equation);
+        k.color("color", blend.color);
     });
     keys.flag("color", pass.color);
     keys.token("fog", pass.fog);
@@ -53,14 +56,6 @@ void pass_keys(Keys& keys, PassOrConst& pass) {
 
 using scene::TomlKind;
 using scene::TomlValue;
-
-bool is_source(BlendFactor f) {
-    return f != BlendFactor::SrcColor && f != BlendFactor::OneMinusSrcColor;
-}
-bool is_destination(BlendFactor f) {
-    return f != BlendFactor::DstColor && f != BlendFactor::OneMinusDstColor &&
-           f != BlendFactor::SrcAlphaSaturate;
-}
 
 template <typename Enum>
 bool any_of_them(Enum) {
@@ -117,6 +112,13 @@ struct Reading {
     }
     void parameter(const char* key, Parameter& parameter) {
         read(key, [&parameter](const TomlValue& value) { parameter = to_parameter(value); });
+    }
+    void color(const char* key, vec4& color) {
+        read(key, [&color](const TomlValue& value) {
+            scene::expect_numbers(value, 4);
+            for (int i = 0; i < 4; ++i)
+                color[i] = scene::to_float(value.elements[std::size_t(i)], {0, 1});
+        });
     }
     void planes(const char* key, PlaneMask& planes) {
         read(key, [&planes](const TomlValue& value) {
@@ -189,6 +191,9 @@ struct Writing {
         const auto& v = p.value;
         const bool grey = v[0] == v[1] && v[1] == v[2];
         write(key, grey ? fmt::format("{}", v[0]) : fmt::format("[{}, {}, {}]", v[0], v[1], v[2]));
+    }
+    void color(const char* key, const vec4& c) {
+        write(key, fmt::format("[{}, {}, {}, {}]", c.x, c.y, c.z, c.w));
     }
     void planes(const char* key, PlaneMask planes) {
         std::vector<std::string> names;

@@ -1,39 +1,23 @@
 #include "multipass/passes/tokens.h"
 
+#include "gw/describe/enumerators.h"
+
 #include <array>
 
 namespace gw::multipass {
 namespace {
 
+/// The state's words: the enumerators themselves.
+template <typename Enum>
+constexpr auto state_tokens = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{Token<Enum>{static_cast<Enum>(i), names_of<Enum>[i]}...};
+}
+(std::make_index_sequence<count_of<Enum>>());
+
 constexpr Token<Parameter::Kind> parameter_tokens[] = {
     {Parameter::Kind::Object, "object"},
     {Parameter::Kind::ObjectKs, "object Ks"},
     {Parameter::Kind::ObjectTf, "object Tf"},
-};
-constexpr Token<CompareFunc> compare_tokens[] = {
-    {CompareFunc::Never, "Never"},     {CompareFunc::Less, "Less"},
-    {CompareFunc::Equal, "Equal"},     {CompareFunc::LEqual, "LEqual"},
-    {CompareFunc::Greater, "Greater"}, {CompareFunc::NotEqual, "NotEqual"},
-    {CompareFunc::GEqual, "GEqual"},   {CompareFunc::Always, "Always"},
-};
-constexpr Token<StencilOp> stencil_tokens[] = {
-    {StencilOp::Keep, "Keep"},         {StencilOp::Zero, "Zero"},
-    {StencilOp::Replace, "Replace"},   {StencilOp::Incr, "Incr"},
-    {StencilOp::Decr, "Decr"},         {StencilOp::Invert, "Invert"},
-    {StencilOp::IncrWrap, "IncrWrap"}, {StencilOp::DecrWrap, "DecrWrap"},
-};
-constexpr Token<BlendFactor> blend_tokens[] = {
-    {BlendFactor::Zero, "Zero"},
-    {BlendFactor::One, "One"},
-    {BlendFactor::SrcColor, "SrcColor"},
-    {BlendFactor::OneMinusSrcColor, "OneMinusSrcColor"},
-    {BlendFactor::DstColor, "DstColor"},
-    {BlendFactor::OneMinusDstColor, "OneMinusDstColor"},
-    {BlendFactor::SrcAlpha, "SrcAlpha"},
-    {BlendFactor::OneMinusSrcAlpha, "OneMinusSrcAlpha"},
-    {BlendFactor::DstAlpha, "DstAlpha"},
-    {BlendFactor::OneMinusDstAlpha, "OneMinusDstAlpha"},
-    {BlendFactor::SrcAlphaSaturate, "SrcAlphaSaturate"},
 };
 constexpr Token<Plane> plane_tokens[] = {
     {Plane::Color, "color"}, {Plane::Depth, "depth"}, {Plane::Stencil, "stencil"}};
@@ -64,12 +48,20 @@ constexpr Token<PassAction> action_tokens[] = {{PassAction::Draw, "draw"},
                                                {PassAction::Add, "add"},
                                                {PassAction::Trace, "trace"}};
 
+template <typename Enum, std::size_t size>
+constexpr bool has_all(const Token<Enum> (&)[size]) {
+    return size == count_of<Enum>;
+}
+static_assert(has_all(map_tokens) && has_all(light_tokens) && has_all(object_tokens) &&
+              has_all(fog_tokens) && has_all(action_tokens));
+
 }  // namespace
 
 std::span<const Token<Parameter::Kind>> tokens(Parameter::Kind) { return parameter_tokens; }
-std::span<const Token<CompareFunc>> tokens(CompareFunc) { return compare_tokens; }
-std::span<const Token<StencilOp>> tokens(StencilOp) { return stencil_tokens; }
-std::span<const Token<BlendFactor>> tokens(BlendFactor) { return blend_tokens; }
+std::span<const Token<CompareFunc>> tokens(CompareFunc) { return state_tokens<CompareFunc>; }
+std::span<const Token<StencilOp>> tokens(StencilOp) { return state_tokens<StencilOp>; }
+std::span<const Token<BlendFactor>> tokens(BlendFactor) { return state_tokens<BlendFactor>; }
+std::span<const Token<BlendEquation>> tokens(BlendEquation) { return state_tokens<BlendEquation>; }
 std::span<const Token<Plane>> tokens(Plane) { return plane_tokens; }
 std::span<const Token<PassMap>> tokens(PassMap) { return map_tokens; }
 std::span<const Token<PassLights>> tokens(PassLights) { return light_tokens; }

@@ -18,6 +18,7 @@ std::span<const Token<Parameter::Kind>> tokens(Parameter::Kind);  ///< those tha
 std::span<const Token<CompareFunc>> tokens(CompareFunc);
 std::span<const Token<StencilOp>> tokens(StencilOp);
 std::span<const Token<BlendFactor>> tokens(BlendFactor);
+std::span<const Token<BlendEquation>> tokens(BlendEquation);
 std::span<const Token<Plane>> tokens(Plane);  ///< those that a pass clears
 std::span<const Token<PassMap>> tokens(PassMap);
 std::span<const Token<PassLights>> tokens(PassLights);

@@ -1,10 +1,13 @@
 // The catalogue against the paper's tuples [K3p], and the passes as text.
 #include "multipass/passes/catalogue.h"
 
+#include "gw/describe/enumerators.h"
 #include "multipass/passes/passes.h"
 #include "multipass/passes/tokens.h"
 
 #include <gtest/gtest.h>
+
+#include <type_traits>
 
 namespace gw::multipass {
 namespace {
@@ -39,14 +42,30 @@ TEST(Catalogue, PrintsTestsBlendingAndLights) {
         "colour");
 }
 
-TEST(Words, AreAllDifferent) {
-    const auto check = [](auto table) {
+TEST(Catalogue, PrintsConstantFactorsEquationAndColor) {
+    Pass pass = depth_pass;
+    pass.blend = {.enable = true, .src = BlendFactor::ConstantColor};
+    EXPECT_NE(to_string(pass).find("; blend ConstantColor Zero; "), std::string::npos)
+        << to_string(pass);
+    pass.blend.equation = BlendEquation::Max;
+    pass.blend.color = {0.5f, 0, 0, 1};
+    EXPECT_NE(to_string(pass).find("; blend ConstantColor Zero, Max, color (0.5, 0, 0, 1); "),
+              std::string::npos)
+        << to_string(pass);
+}
+
+TEST(Words, AreAllThereAndDifferent) {
+    const auto check = []<typename Table>(Table table) {
+        using Enum = std::remove_const_t<decltype(table[0].first)>;
+        EXPECT_EQ(table.size(), count_of<Enum>) << type_name<Enum>;
+        for (const auto& word : table) EXPECT_FALSE(word.second.empty());
         for (const auto& a : table)
             for (const auto& b : table) EXPECT_EQ(a.first == b.first, a.second == b.second);
     };
     check(tokens(CompareFunc{}));
     check(tokens(StencilOp{}));
     check(tokens(BlendFactor{}));
+    check(tokens(BlendEquation{}));
     check(tokens(PassMap{}));
     check(tokens(PassLights{}));
     check(tokens(PassObjects{}));

@@ -79,8 +79,11 @@ TEST_F(PassToml, OfEveryFieldReadsTheSamePass) {
                     .write_mask = 0x80,
                     .two_side = true,
                     .back = {.func = StencilFunc::Never, .ref = 2, .mask = 1}};
-    pass.blend = {
-        .enable = true, .src = BlendFactor::SrcAlphaSaturate, .dst = BlendFactor::OneMinusSrcColor};
+    pass.blend = {.enable = true,
+                  .src = BlendFactor::SrcAlphaSaturate,
+                  .dst = BlendFactor::OneMinusConstantAlpha,
+                  .equation = BlendEquation::ReverseSubtract,
+                  .color = {0.25f, 0.5f, 1.0f / 3, 1}};
     pass.color = false;
     pass.fog = PassFog::Black;
     pass.objects = PassObjects::Named;
@@ -119,6 +122,8 @@ TEST_F(PassToml, FaultsNameTheLineAndWhatWasExpected) {
     EXPECT_NE(fault_of_pass("blend = {src = 'SrcColor'}").find("the nearest is 'DstColor'"),
               std::string::npos)
         << "a colour is a factor of the other side only";
+    EXPECT_EQ(fault_of_pass("blend = {color = [0, 0, 0]}"),
+              "s.toml:6: pass.blend.color has 3 elements; expected an array of 4 numbers");
     EXPECT_EQ(fault_of_pass("objects = ['bx']"),
               "s.toml:6: unknown object 'bx'; the nearest known is 'box'");
     EXPECT_EQ(fault("[[pass]]\nname = ''\n"), "s.toml:4: pass.name has 0 bytes; expected 1 to 31");
