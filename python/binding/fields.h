@@ -74,17 +74,17 @@ private:
 
 /// An enumeration. Where one is expected, its name as a str does as well.
 template <class Enum>
-void add_enum(py::module_& module, const char* name, const char* doc,
-              const std::vector<std::pair<const char*, Enum>>& values) {
-    py::enum_<Enum> type(module, name, doc);
-    for (const auto& [text, value] : values) type.value(text, value);
+void add_enum(py::module_& module, const std::string& name, const char* doc,
+              const std::vector<std::pair<std::string, Enum>>& values) {
+    py::enum_<Enum> type(module, name.c_str(), doc);
+    for (const auto& [text, value] : values) type.value(text.c_str(), value);
     type.def(py::init([values, name](const std::string& word) {
         std::string known;
         for (const auto& [text, value] : values) {
             if (word == text) return value;
-            known += known.empty() ? text : std::string(", ") + text;
+            known += known.empty() ? text : ", " + text;
         }
-        throw py::value_error(std::string(name) + " has no '" + word + "'; expected " + known);
+        throw py::value_error(name + " has no '" + word + "'; expected " + known);
     }));
     // Pickled and copied by its name.
     type.def("__reduce_ex__", [](const py::object& self, int) {
