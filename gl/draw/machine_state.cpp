@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 
 #include "gw/base/elementary.h"
+#include "gw/describe/opengl.h"
 #include "gw/stages/vertex.h"
 
 #include <algorithm>
@@ -14,94 +15,15 @@ namespace gw::gl {
 
 namespace {
 
-CompareFunc compare_func(GLenum func) { return static_cast<CompareFunc>(func - GL_NEVER); }
-
-StencilOp stencil_op(GLenum op) {
-    switch (op) {
-        case GL_ZERO: return StencilOp::Zero;
-        case GL_REPLACE: return StencilOp::Replace;
-        case GL_INCR: return StencilOp::Incr;
-        case GL_DECR: return StencilOp::Decr;
-        case GL_INVERT: return StencilOp::Invert;
-        case GL_INCR_WRAP: return StencilOp::IncrWrap;
-        case GL_DECR_WRAP: return StencilOp::DecrWrap;
-    }
-    return StencilOp::Keep;
-}
-
-BlendFactor blend_factor(GLenum factor) {
-    switch (factor) {
-        case GL_ONE: return BlendFactor::One;
-        case GL_SRC_COLOR: return BlendFactor::SrcColor;
-        case GL_ONE_MINUS_SRC_COLOR: return BlendFactor::OneMinusSrcColor;
-        case GL_DST_COLOR: return BlendFactor::DstColor;
-        case GL_ONE_MINUS_DST_COLOR: return BlendFactor::OneMinusDstColor;
-        case GL_SRC_ALPHA: return BlendFactor::SrcAlpha;
-        case GL_ONE_MINUS_SRC_ALPHA: return BlendFactor::OneMinusSrcAlpha;
-        case GL_DST_ALPHA: return BlendFactor::DstAlpha;
-        case GL_ONE_MINUS_DST_ALPHA: return BlendFactor::OneMinusDstAlpha;
-        case GL_SRC_ALPHA_SATURATE: return BlendFactor::SrcAlphaSaturate;
-        case GL_CONSTANT_COLOR: return BlendFactor::ConstantColor;
-        case GL_ONE_MINUS_CONSTANT_COLOR: return BlendFactor::OneMinusConstantColor;
-        case GL_CONSTANT_ALPHA: return BlendFactor::ConstantAlpha;
-        case GL_ONE_MINUS_CONSTANT_ALPHA: return BlendFactor::OneMinusConstantAlpha;
-    }
-    return BlendFactor::Zero;
-}
-
-BlendEquation blend_equation(GLenum equation) {
-    switch (equation) {
-        case GL_FUNC_SUBTRACT: return BlendEquation::Subtract;
-        case GL_FUNC_REVERSE_SUBTRACT: return BlendEquation::ReverseSubtract;
-        case GL_MIN: return BlendEquation::Min;
-        case GL_MAX: return BlendEquation::Max;
-    }
-    return BlendEquation::Add;
-}
-
-Face face(GLenum face) {
-    if (face == GL_FRONT) return Face::Front;
-    return face == GL_BACK ? Face::Back : Face::FrontAndBack;
-}
-
-gw::PolygonMode polygon_mode(GLenum mode) {
-    if (mode == GL_POINT) return gw::PolygonMode::Point;
-    return mode == GL_LINE ? gw::PolygonMode::Line : gw::PolygonMode::Fill;
-}
-
-gw::ColorMaterial color_material(GLenum mode) {
-    switch (mode) {
-        case GL_EMISSION: return gw::ColorMaterial::Emission;
-        case GL_AMBIENT: return gw::ColorMaterial::Ambient;
-        case GL_DIFFUSE: return gw::ColorMaterial::Diffuse;
-        case GL_SPECULAR: return gw::ColorMaterial::Specular;
-    }
-    return gw::ColorMaterial::AmbientAndDiffuse;
-}
-
-MinFilter min_filter(GLenum filter) {
-    switch (filter) {
-        case GL_NEAREST: return MinFilter::Nearest;
-        case GL_LINEAR: return MinFilter::Linear;
-        case GL_NEAREST_MIPMAP_NEAREST: return MinFilter::NearestMipmapNearest;
-        case GL_LINEAR_MIPMAP_NEAREST: return MinFilter::LinearMipmapNearest;
-        case GL_NEAREST_MIPMAP_LINEAR: return MinFilter::NearestMipmapLinear;
-    }
-    return MinFilter::LinearMipmapLinear;
+/// The machine's word. Calls have refused other numbers.
+template <typename Enum>
+Enum word(GLenum number) {
+    return from_opengl<Enum>(number).value_or(Enum{});
 }
 
 Wrap wrap(GLenum mode, const Profile& p) {
     if (mode == GL_REPEAT) return Wrap::Repeat;
     return mode == GL_CLAMP && p.extensions.texture_border ? Wrap::BorderClamp : Wrap::Clamp;
-}
-
-gw::TexEnv tex_env(GLenum mode) {
-    switch (mode) {
-        case GL_DECAL: return gw::TexEnv::Decal;
-        case GL_BLEND: return gw::TexEnv::Blend;
-        case GL_REPLACE: return gw::TexEnv::Replace;
-    }
-    return gw::TexEnv::Modulate;
 }
 
 /// Depths 2^-40 nearer to the middle: what is drawn on the near or far plane stays inside, although
@@ -124,13 +46,13 @@ void set_transform(gw::State& out, const Context& c) {
 }
 
 void set_lighting(gw::State& out, const LightingState& s) {
-    out.shade_model = s.shade_model == GL_FLAT ? ShadeModel::Flat : ShadeModel::Smooth;
+    out.shade_model = word<gw::ShadeModel>(s.shade_model);
     out.color_source = s.enable ? ColorSource::Lighting : ColorSource::Vertex;
     out.lighting.local_viewer = s.local_viewer;
     out.lighting.two_side = s.two_side;
     out.lighting.model_ambient = s.model_ambient;
-    out.lighting.color_material = {s.enable && s.color_material, face(s.color_material_face),
-                                   color_material(s.color_material_mode)};
+    out.lighting.color_material = {s.enable && s.color_material, word<Face>(s.color_material_face),
+                                   word<gw::ColorMaterial>(s.color_material_mode)};
 }
 
 float clamped_size(float size) { return clamped(size, 1.0f, 128.0f); }
@@ -152,9 +74,9 @@ void set_sizes(gw::State& out, const State& s, const Profile& profile) {
 
 void set_rasterization(gw::State& out, const State& s, const Extensions& has) {
     const PolygonState& p = s.polygon;
-    out.cull = {p.cull, face(p.cull_face), p.front_face == GL_CW ? Winding::CW : Winding::CCW};
-    out.polygon_mode = polygon_mode(p.front_mode);
-    out.back_polygon_mode = polygon_mode(p.back_mode);
+    out.cull = {p.cull, word<Face>(p.cull_face), word<Winding>(p.front_face)};
+    out.polygon_mode = word<gw::PolygonMode>(p.front_mode);
+    out.back_polygon_mode = word<gw::PolygonMode>(p.back_mode);
     out.two_side_polygon_mode = p.front_mode != p.back_mode && has.two_sided_polygon_mode;
     if (has.stipple) {
         out.line_stipple = {s.line.stipple, s.line.stipple_factor, s.line.stipple_pattern};
@@ -188,20 +110,18 @@ void set_texture(gw::State& out, const Context& c) {
     const TextureState& s = c.state.texture;
     if (!s.enable[0] && !s.enable[1]) return;
     const TextureParameters& p = c.textures.bound[s.enable[1] ? 1 : 0]->parameters;
-    out.texture.min_filter = min_filter(p.min_filter);
-    out.texture.mag_filter = p.mag_filter == GL_NEAREST ? MagFilter::Nearest : MagFilter::Linear;
+    out.texture.min_filter = word<MinFilter>(p.min_filter);
+    out.texture.mag_filter = word<MagFilter>(p.mag_filter);
     out.texture.wrap_s = wrap(p.wrap_s, c.profile);
     out.texture.wrap_t = wrap(p.wrap_t, c.profile);
     out.texture.border_color = p.border_color;
-    out.texture.env = tex_env(s.env_mode);
+    out.texture.env = word<gw::TexEnv>(s.env_mode);
     out.texture.env_color = s.env_color;
 }
 
 void set_fog(gw::State& out, const FogState& s) {
     out.fog.enable = s.enable && (s.mode == GL_LINEAR || s.density > 0);  // of density 0: none
-    out.fog.mode = s.mode == GL_LINEAR ? FogMode::Linear
-                   : s.mode == GL_EXP  ? FogMode::Exp
-                                       : FogMode::Exp2;
+    out.fog.mode = word<FogMode>(s.mode);
     out.fog.density = s.density;
     out.fog.start = s.start;
     out.fog.end = s.end;
@@ -213,19 +133,19 @@ void set_fog(gw::State& out, const FogState& s) {
 void set_fragments(gw::State& out, const State& s, const Extensions& has) {
     out.scissor = {s.scissor.test, s.scissor.box};
     const ColorBufferState& b = s.color_buffer;
-    out.alpha = {b.alpha_test, compare_func(b.alpha_func), b.alpha_ref};
+    out.alpha = {b.alpha_test, word<CompareFunc>(b.alpha_func), b.alpha_ref};
     out.stencil.test = s.stencil.test;
-    out.stencil.func = compare_func(s.stencil.func);
+    out.stencil.func = word<CompareFunc>(s.stencil.func);
     out.stencil.ref = s.stencil.ref;
     out.stencil.mask = s.stencil.mask;
-    out.stencil.fail = stencil_op(s.stencil.fail);
-    out.stencil.zfail = stencil_op(s.stencil.zfail);
-    out.stencil.zpass = stencil_op(s.stencil.zpass);
+    out.stencil.fail = word<gw::StencilOp>(s.stencil.fail);
+    out.stencil.zfail = word<gw::StencilOp>(s.stencil.zfail);
+    out.stencil.zpass = word<gw::StencilOp>(s.stencil.zpass);
     out.stencil.write_mask = s.stencil.write_mask;
-    out.depth = {s.depth.test, compare_func(s.depth.func), s.depth.mask};
-    out.blend = {b.blend, blend_factor(b.blend_src), blend_factor(b.blend_dst),
-                 blend_equation(b.blend_equation), b.blend_color};
-    if (has.logic_op) out.logic_op = {b.logic_op, static_cast<LogicOp>(b.logic_op_mode - GL_CLEAR)};
+    out.depth = {s.depth.test, word<CompareFunc>(s.depth.func), s.depth.mask};
+    out.blend = {b.blend, word<BlendFactor>(b.blend_src), word<BlendFactor>(b.blend_dst),
+                 word<BlendEquation>(b.blend_equation), b.blend_color};
+    if (has.logic_op) out.logic_op = {b.logic_op, word<gw::LogicOp>(b.logic_op_mode)};
     out.color_mask = {b.mask[0], b.mask[1], b.mask[2], b.mask[3]};
 }
 

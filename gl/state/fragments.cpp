@@ -4,62 +4,35 @@
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 
+#include "gw/describe/opengl.h"
+
 #include <algorithm>
+#include <optional>
 
 namespace gw::gl {
 
 namespace {
 
-bool is_compare_func(GLenum func) { return func >= GL_NEVER && func <= GL_ALWAYS; }
-
-bool is_stencil_op(const Context& c, GLenum op) {
-    switch (op) {
-        case GL_KEEP:
-        case GL_ZERO:
-        case GL_REPLACE:
-        case GL_INCR:
-        case GL_DECR:
-        case GL_INVERT: return true;
-        case GL_INCR_WRAP:
-        case GL_DECR_WRAP: return c.profile.extensions.stencil_wrap;
-    }
-    return false;
+/// One of the machine's words that the profile has.
+template <typename Enum>
+std::optional<Enum> known_word(const Context& c, GLenum number) {
+    const auto word = from_opengl<Enum>(number);
+    return word && has_word(c.profile.extensions, *word) ? word : std::nullopt;
 }
 
-/// Factors that either side may have.
-bool is_common_factor(const Context& c, GLenum factor) {
-    switch (factor) {
-        case GL_ZERO:
-        case GL_ONE:
-        case GL_SRC_ALPHA:
-        case GL_ONE_MINUS_SRC_ALPHA:
-        case GL_DST_ALPHA:
-        case GL_ONE_MINUS_DST_ALPHA: return true;
-        case GL_CONSTANT_COLOR:
-        case GL_ONE_MINUS_CONSTANT_COLOR:
-        case GL_CONSTANT_ALPHA:
-        case GL_ONE_MINUS_CONSTANT_ALPHA: return c.profile.extensions.blend_color;
-    }
-    return false;
+bool is_compare_func(const Context& c, GLenum func) {
+    return known_word<CompareFunc>(c, func).has_value();
+}
+bool is_stencil_op(const Context& c, GLenum op) {
+    return known_word<gw::StencilOp>(c, op).has_value();
 }
 bool is_source_factor(const Context& c, GLenum factor) {
-    return is_common_factor(c, factor) || factor == GL_DST_COLOR ||
-           factor == GL_ONE_MINUS_DST_COLOR || factor == GL_SRC_ALPHA_SATURATE;
+    const auto word = known_word<BlendFactor>(c, factor);
+    return word && is_source(*word);
 }
 bool is_destination_factor(const Context& c, GLenum factor) {
-    return is_common_factor(c, factor) || factor == GL_SRC_COLOR ||
-           factor == GL_ONE_MINUS_SRC_COLOR;
-}
-
-bool is_blend_equation(const Context& c, GLenum mode) {
-    switch (mode) {
-        case GL_FUNC_ADD: return true;
-        case GL_FUNC_SUBTRACT:
-        case GL_FUNC_REVERSE_SUBTRACT: return c.profile.extensions.blend_subtract;
-        case GL_MIN:
-        case GL_MAX: return c.profile.extensions.blend_minmax;
-    }
-    return false;
+    const auto word = known_word<BlendFactor>(c, factor);
+    return word && is_destination(*word);
 }
 
 vec4 clamped_value(const vec4& v, float low) {
@@ -76,8 +49,7 @@ void fog(Context& c, GLenum pname, const Params& params) {
     switch (pname) {
         case GL_FOG_MODE: {
             const GLenum mode = params.token();
-            if (mode != GL_EXP && mode != GL_EXP2 && mode != GL_LINEAR)
-                return set_error(c, GL_INVALID_ENUM);
+            if (!known_word<FogMode>(c, mode)) return set_error(c, GL_INVALID_ENUM);
             return change(c, s.mode, mode);
         }
         case GL_FOG_DENSITY:
@@ -99,13 +71,13 @@ void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
 }
 
 void alpha_func(Context& c, GLenum func, GLclampf ref) {
-    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
     change(c, c.state.color_buffer.alpha_func, func);
     change(c, c.state.color_buffer.alpha_ref, clamped(ref, 0.0f, 1.0f));
 }
 
 void stencil_func(Context& c, GLenum func, GLint ref, GLuint mask) {
-    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
     change(c, c.state.stencil.func, func);
     change(c, c.state.stencil.ref, std::clamp(ref, 0, (1 << c.profile.stencil_bits) - 1));
     change(c, c.state.stencil.mask, mask);
@@ -120,7 +92,7 @@ void stencil_op(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
 }
 
 void depth_func(Context& c, GLenum func) {
-    if (!is_compare_func(func)) return set_error(c, GL_INVALID_ENUM);
+    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
     change(c, c.state.depth.func, func);
 }
 
@@ -137,7 +109,7 @@ void blend_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclam
 }
 
 void blend_equation(Context& c, GLenum mode) {
-    if (!is_blend_equation(c, mode)) return set_error(c, GL_INVALID_ENUM);
+    if (!known_word<gw::BlendEquation>(c, mode)) return set_error(c, GL_INVALID_ENUM);
     change(c, c.state.color_buffer.blend_equation, mode);
 }
 

@@ -1,8 +1,8 @@
-// The functions of OpenGL that we call, of whichever implementation is in use, and OpenGL's words for
-// ours: one table per concept. library.h loads implementations.
+// The functions of OpenGL that we call, of whichever implementation is in use. library.h loads
+// implementations.
 #pragma once
 
-#include "gw/command_list.h"
+#include "gw/describe/opengl.h"
 
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES  // declares the functions of later versions
@@ -60,19 +60,11 @@ Function required(Function function, const char* name, const char* feature) {
     return function;
 }
 
-GLenum token(CompareFunc func);
-GLenum token(StencilOp op);
-GLenum token(BlendFactor factor);
-GLenum token(BlendEquation equation);
-GLenum token(LogicOp op);
-GLenum token(Face face);
-GLenum token(PolygonMode mode);
-GLenum token(FogMode mode);
-GLenum token(MinFilter filter);
-GLenum token(MagFilter filter);
-GLenum token(Wrap wrap);
-GLenum token(TexEnv env);
-GLenum token(AccumOp op);
+/// OpenGL's word for ours.
+template <typename Enum>
+GLenum token(Enum value) {
+    return opengl_word(value).number;
+}
 
 /// glEnable or glDisable.
 void enable(GLenum capability, bool on);

@@ -33,7 +33,7 @@ void apply(const std::array<ClipPlane, max_clip_planes>& planes) {
 void apply(const CullState& cull) {
     enable(GL_CULL_FACE, cull.enable);
     gl().CullFace(token(cull.face));
-    gl().FrontFace(cull.front == Winding::CCW ? GL_CCW : GL_CW);
+    gl().FrontFace(token(cull.front));
 }
 
 void require_size(GLenum range, float size, const char* what) {
