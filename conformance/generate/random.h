@@ -3,6 +3,8 @@
 // expression or within braces, because compilers choose the order of operands and arguments.
 #pragma once
 
+#include "gw/describe/enumerators.h"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -56,7 +58,11 @@ public:
     const T& pick(const std::vector<T>& values) {
         return values[std::size_t(below(static_cast<int>(values.size())))];
     }
-    /// Any value of an enumeration that counts from 0 to `last`.
+    /// Any value of an enumeration, of those up to `last` if one is given.
+    template <typename Enum>
+    Enum any() {
+        return any(last_of<Enum>);
+    }
     template <typename Enum>
     Enum any(Enum last) {
         return static_cast<Enum>(below(static_cast<int>(last) + 1));

@@ -14,7 +14,7 @@ StencilOp any_stencil_op(Random& r, const Profile& p) {
 
 StencilFace any_stencil_face(Random& r, const Profile& p) {
     StencilFace f;
-    f.func = r.chance(30) ? StencilFunc::Always : r.any(StencilFunc::Always);
+    f.func = r.chance(30) ? StencilFunc::Always : r.any<StencilFunc>();
     f.ref = r.chance(70) ? r.below(4) : r.chance(80) ? r.below(256) : r.pick({-1, 256, 1 << 30});
     if (r.chance(40)) f.mask = r.chance(50) ? r.bits(3) : r.bits(8);
     if (r.chance(40)) f.write_mask = r.chance(50) ? r.bits(3) : r.bits(8);
@@ -39,7 +39,7 @@ vec4 any_color(Random& r) {
 }
 
 AlphaState any_alpha(Random& r) {
-    return {r.chance(70), r.any(AlphaFunc::Always), r.chance(50) ? any_fraction(r) : 0.5f};
+    return {r.chance(70), r.any<AlphaFunc>(), r.chance(50) ? any_fraction(r) : 0.5f};
 }
 
 BlendState any_blend(Random& r) {
@@ -57,7 +57,7 @@ BlendState any_blend(Random& r) {
 BlendState any_extended_blend(Random& r) {
     using enum BlendFactor;
     BlendState b = any_blend(r);
-    b.equation = r.any(BlendEquation::Max);
+    b.equation = r.any<BlendEquation>();
     b.color = any_color(r);
     const auto constant = [&] {
         return r.pick({ConstantColor, OneMinusConstantColor, ConstantAlpha, OneMinusConstantAlpha});
@@ -67,7 +67,7 @@ BlendState any_extended_blend(Random& r) {
     return b;
 }
 
-LogicOpState any_logic_op(Random& r) { return {r.chance(85), r.any(LogicOp::Set)}; }
+LogicOpState any_logic_op(Random& r) { return {r.chance(85), r.any<LogicOp>()}; }
 
 ColorMask any_color_mask(Random& r) {
     if (r.chance(60)) return {};
@@ -76,14 +76,14 @@ ColorMask any_color_mask(Random& r) {
 
 CullState any_cull(Random& r) {
     return {r.chance(60), r.chance(10) ? Face::FrontAndBack : r.pick({Face::Front, Face::Back}),
-            r.any(Winding::CCW)};
+            r.any<Winding>()};
 }
 
 DepthState any_depth(Random& r) {
     const DepthFunc func =
         r.chance(50)
             ? r.pick({DepthFunc::Less, DepthFunc::LEqual, DepthFunc::Greater, DepthFunc::Equal})
-            : r.any(DepthFunc::Always);
+            : r.any<DepthFunc>();
     return {r.chance(90), func, r.chance(75)};
 }
 
@@ -159,7 +159,7 @@ void any_clip_planes(Random& r, const Frame& f, State& state) {
 FogState any_fog(Random& r, double depth) {
     FogState f;
     f.enable = r.chance(92);
-    f.mode = r.any(FogMode::Exp2);
+    f.mode = r.any<FogMode>();
     f.start = float(r.real(-0.5, 0.8) * depth);
     f.end = f.start + float(r.real(0.05, 1.2) * depth);
     if (r.chance(10)) std::swap(f.start, f.end);
@@ -172,7 +172,7 @@ FogState any_fog(Random& r, double depth) {
     }
     if (!(f.density > 0) || !std::isfinite(f.density)) f.density = 1;
     f.color = any_color(r);
-    f.coordinate = r.any(FogCoordinate::Fragment);
+    f.coordinate = r.any<FogCoordinate>();
     return f;
 }
 
@@ -182,11 +182,11 @@ LightingState any_lighting(Random& r) {
 
 TextureState any_texture_state(Random& r) {
     TextureState t;
-    t.min_filter = r.any(MinFilter::LinearMipmapLinear);
-    t.mag_filter = r.any(MagFilter::Linear);
+    t.min_filter = r.any<MinFilter>();
+    t.mag_filter = r.any<MagFilter>();
     t.wrap_s = r.any(Wrap::Clamp);
     t.wrap_t = r.any(Wrap::Clamp);
-    t.env = r.any(TexEnv::Replace);
+    t.env = r.any<TexEnv>();
     t.env_color = any_color(r);
     return t;
 }
