@@ -1,8 +1,13 @@
 """Chapter 12: what happens to fragments. Those of one call lie on different pixels."""
+import re
+from pathlib import Path
+
 import numpy as np
 
 from .numbers import mul, one
 from .state import BlendEquation, BlendFactor, CompareFunc, DrawBuffer, StencilOp
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "manual" / "fragments.md"
 
 
 def compare(func, incoming, stored):
@@ -63,20 +68,26 @@ def factors(factor, s, d, constant, one_value):
     return result
 
 
+def equations():
+    """[R12.14] The formulas of the manual's table: of s, d, one and the products s', d'."""
+    text = PAGE.read_text(encoding="utf-8").split("| equation | result | extension |")[1].split("\n\n")[0]
+    rows = re.findall(r"^\| (\w+) \| `(.*)` \|", text, re.MULTILINE)
+    return {BlendEquation[name]: compile(formula.replace("'", "_part"), name, "eval")
+            for name, formula in rows}
+
+
+EQUATIONS = equations()
+
+
 def blended(state, s, d, bits):
-    """[R12.10], [R12.11], [R12.14]"""
-    blend, equation, constant = state.blend, state.blend_equation, state.blend_color
+    """[R12.10], [R12.11]"""
+    blend, constant = state.blend, state.blend_color
     if not blend.enable:
         return s
-    if equation == BlendEquation.Min:
-        return np.minimum(s, d)
-    if equation == BlendEquation.Max:
-        return np.maximum(s, d)
     s_part = mul(s, factors(blend.src, s, d, constant, one(bits)), bits)
     d_part = mul(d, factors(blend.dst, s, d, constant, one(bits)), bits)
-    total = {BlendEquation.Add: s_part + d_part, BlendEquation.Subtract: s_part - d_part,
-             BlendEquation.ReverseSubtract: d_part - s_part}[equation]
-    return np.clip(total, 0, one(bits))
+    return eval(EQUATIONS[state.blend_equation], {"min": np.minimum, "max": np.maximum}, {
+        "s": s, "d": d, "s_part": s_part, "d_part": d_part, "one": one(bits)})
 
 
 def logic_result(operation, s, d, bits):

@@ -1,4 +1,5 @@
 """Chapter 4: the state with its initial values, and what fragments meet of it."""
+import importlib
 import struct
 from dataclasses import dataclass, field
 from enum import IntEnum
@@ -15,38 +16,34 @@ def float32(v):
 
 # ---- [R4.2] enumerations --------------------------------------------------------------------
 
-CompareFunc = IntEnum("CompareFunc", "Never Less Equal LEqual Greater NotEqual GEqual Always",
-                      start=0)
-StencilOp = IntEnum("StencilOp", "Keep Zero Replace Incr Decr Invert IncrWrap DecrWrap", start=0)
-BlendFactor = IntEnum(
-    "BlendFactor", "Zero One SrcColor OneMinusSrcColor DstColor OneMinusDstColor SrcAlpha "
-    "OneMinusSrcAlpha DstAlpha OneMinusDstAlpha SrcAlphaSaturate ConstantColor "
-    "OneMinusConstantColor ConstantAlpha OneMinusConstantAlpha", start=0)
-BlendEquation = IntEnum("BlendEquation", "Add Subtract ReverseSubtract Min Max", start=0)
-LogicOp = IntEnum(
-    "LogicOp", "Clear And AndReverse Copy AndInverted Noop Xor Or Nor Equiv Invert OrReverse "
-    "CopyInverted OrInverted Nand Set", start=0)
-Face = IntEnum("Face", "Front Back FrontAndBack", start=0)
-Winding = IntEnum("Winding", "CW CCW", start=0)
-PolygonMode = IntEnum("PolygonMode", "Point Line Fill", start=0)
-ShadeModel = IntEnum("ShadeModel", "Flat Smooth", start=0)
-ColorSource = IntEnum("ColorSource", "Vertex Lighting PolygonId", start=0)
-FogMode = IntEnum("FogMode", "Linear Exp Exp2", start=0)
-FogCoordinate = IntEnum("FogCoordinate", "Profile Vertex Fragment", start=0)
-MinFilter = IntEnum(
-    "MinFilter", "Nearest Linear NearestMipmapNearest LinearMipmapNearest NearestMipmapLinear "
-    "LinearMipmapLinear", start=0)
-MagFilter = IntEnum("MagFilter", "Nearest Linear", start=0)
-Wrap = IntEnum("Wrap", "Repeat Clamp BorderClamp", start=0)
-TextureFormat = IntEnum("TextureFormat", "RGBA RGB LuminanceAlpha Luminance Alpha Intensity",
-                        start=0)
-TexEnv = IntEnum("TexEnv", "Modulate Decal Blend Replace", start=0)
-TexGen = IntEnum("TexGen", "None SphereMap RefractionMap EyeLinear PerCoordinate", start=0)
-CoordinateMode = IntEnum("CoordinateMode", "Given ObjectLinear EyeLinear SphereMap", start=0)
-ColorMaterial = IntEnum("ColorMaterial", "Emission Ambient Diffuse Specular AmbientAndDiffuse",
-                        start=0)
-DrawBuffer = IntEnum("DrawBuffer", "None Front Back FrontAndBack", start=0)
-ReadBuffer = IntEnum("ReadBuffer", "Front Back", start=0)
+def enumeration(name):
+    """Of the schema, by the class that flatc makes; Python's word None has a _ there."""
+    values = vars(getattr(importlib.import_module(f"gw.gwt.{name}"), name))
+    return IntEnum(name, {k.rstrip("_"): v for k, v in values.items() if not k.startswith("_")})
+
+
+CompareFunc = enumeration("CompareFunc")
+StencilOp = enumeration("StencilOp")
+BlendFactor = enumeration("BlendFactor")
+BlendEquation = enumeration("BlendEquation")
+LogicOp = enumeration("LogicOp")
+Face = enumeration("Face")
+Winding = enumeration("Winding")
+PolygonMode = enumeration("PolygonMode")
+ShadeModel = enumeration("ShadeModel")
+ColorSource = enumeration("ColorSource")
+FogMode = enumeration("FogMode")
+FogCoordinate = enumeration("FogCoordinate")
+MinFilter = enumeration("MinFilter")
+MagFilter = enumeration("MagFilter")
+Wrap = enumeration("Wrap")
+TextureFormat = enumeration("TextureFormat")
+TexEnv = enumeration("TexEnv")
+TexGen = enumeration("TexGen")
+CoordinateMode = enumeration("CoordinateMode")
+ColorMaterial = enumeration("ColorMaterial")
+DrawBuffer = enumeration("DrawBuffer")
+ReadBuffer = enumeration("ReadBuffer")
 NO_TEXGEN = TexGen["None"]
 NO_DRAW_BUFFER = DrawBuffer["None"]
 Plane = IntEnum("Plane", "Color Depth Stencil Accum Back", start=0)
