@@ -1,7 +1,7 @@
 // The calls behind the entry points, by chapter of the specification: entry/functions.txt names for
 // each function the call that carries it out. Each checks its arguments as [GL11] prescribes, sets
-// the error or changes the context. Values only: pointers were read before, so that a display list
-// can keep the call.
+// the error or changes the context. Those that a display list keeps take values: convert.h read the
+// pointers before.
 #pragma once
 
 #include "gl/api/values.h"
@@ -42,7 +42,7 @@ void enable_client_state(Context& c, GLenum array);
 void disable_client_state(Context& c, GLenum array);
 void interleaved_arrays(Context& c, GLenum format, GLsizei stride, const GLvoid* pointer);
 void array_element(Context& c, GLint i);
-/// What a display list keeps of DrawArrays and DrawElements.
+/// Replays captured array elements: what a display list keeps of DrawArrays and DrawElements.
 void play_elements(Context& c, const Elements& elements);
 void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count);
 void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices);

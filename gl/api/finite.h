@@ -1,4 +1,4 @@
-// Numbers of programs as numbers that the machine takes.
+// Clamps a program's numbers to those that the machine takes; NaN becomes 0.
 #pragma once
 
 #include "gw/base/finite.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
-#include "gl/context/call_trace.h"
+#include "gl/drawable/call_trace.h"
 
 namespace gw::gl {
 

@@ -1,21 +1,20 @@
-// A context: OpenGL's state, the mesh that is being assembled, and the drawable that it draws to.
-// Not bound to a window system: osmesa/, glx/ and egl/ make contexts and drawables.
+// A context: OpenGL's state, the mesh that is being assembled, and the drawable that it draws to. Does
+// not draw: gl/draw. Not bound to a window system: osmesa/, glx/ and egl/ make contexts and drawables.
 #pragma once
 
 #include "gl/assemble/assembler.h"
-#include "gl/context/call_trace.h"
-#include "gl/context/drawable.h"
-#include "gl/draw/mesh.h"
-#include "gl/draw/submit.h"
-#include "gl/evaluate/evaluators.h"
-#include "gl/lists/display_list.h"
-#include "gl/pixels/pixel_maps.h"
-#include "gl/select/selection.h"
-#include "gl/state/arrays.h"
-#include "gl/state/attributes.h"
+#include "gl/assemble/mesh.h"
+#include "gl/drawable/call_trace.h"
+#include "gl/drawable/drawable.h"
+#include "gl/state/attribute_stack.h"
+#include "gl/state/client.h"
+#include "gl/state/evaluators.h"
+#include "gl/state/list_names.h"
 #include "gl/state/matrices.h"
+#include "gl/state/selection.h"
 #include "gl/state/state.h"
-#include "gl/texture/texture_objects.h"
+#include "gl/state/texture_objects.h"
+#include "gw/command_list.h"
 #include "gw/profile.h"
 
 #include <memory>
@@ -33,6 +32,13 @@ struct Shared {
     std::recursive_mutex mutex;
     ListNames lists;
     TextureNames textures;
+};
+
+/// The machine's state and lights that follow from GL's, kept until a group changes.
+struct TranslatedState {
+    bool changed = true;
+    gw::State state;
+    LightsRef lights;
 };
 
 struct Context {
@@ -53,7 +59,7 @@ struct Context {
     Selection selection;
     Assembler assembler;
     MeshCache meshes;
-    MachineState machine_state;
+    TranslatedState translated;
     CallTrace calls;
     Drawable* drawable = nullptr;
     Drawable* read_drawable = nullptr;  ///< of ReadPixels and of copies; both null or none
@@ -63,19 +69,6 @@ struct Context {
 
 /// Keeps the first error until GetError. [GL11] 2.5
 void set_error(Context& c, GLenum error);
-
-/// Draws what was assembled and executes the drawable's commands.
-void finish_drawing(Context& c, Cause cause = Cause::Flush);
-/// Draws what was assembled. The drawable's frame is to be swapped next.
-void finish_frame(Context& c);
-
-/// Binds a context and drawables to draw to and read from to the calling thread; all null: none.
-/// Draws what the thread's former context has left. The first time, viewport and scissor box get the
-/// drawable's size.
-void make_current(Context* context, Drawable* draw, Drawable* read);
-inline void make_current(Context* context, Drawable* drawable) {
-    make_current(context, drawable, drawable);
-}
 
 /// In a handler: a lack of memory becomes OUT_OF_MEMORY, any other exception one line on stderr.
 void report_exception(Context& c);

@@ -4,7 +4,7 @@
 
 #include "gl/state/matrices.h"
 #include "gl/state/state.h"
-#include "gl/texture/texture_objects.h"
+#include "gl/state/texture_objects.h"
 #include "gw/command_list.h"
 #include "gw/profile.h"
 

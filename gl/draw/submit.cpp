@@ -2,8 +2,8 @@
 
 #include "gl/context/context.h"
 #include "gl/draw/machine_state.h"
-#include "gl/draw/mesh.h"
-#include "gw/base/lasting.h"
+#include "gl/draw/report.h"
+#include "gw/base/leaked_static.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,7 +27,7 @@ bool is_drawable(const Context& c) {
 
 void begin_change(Context& c) {
     flush_mesh(c);
-    c.machine_state.changed = true;
+    c.translated.changed = true;
 }
 
 FaceMaterials face_materials(const Context& c) {
@@ -36,10 +36,10 @@ FaceMaterials face_materials(const Context& c) {
 }
 
 void update_machine_state(Context& c) {
-    if (!c.machine_state.changed) return;
-    c.machine_state.state = machine_state(c);
-    c.machine_state.lights = machine_lights(c.state.lighting);
-    c.machine_state.changed = false;
+    if (!c.translated.changed) return;
+    c.translated.state = machine_state(c);
+    c.translated.lights = machine_lights(c.state.lighting);
+    c.translated.changed = false;
 }
 
 TextureRef enabled_texture(Context& c) {
@@ -67,13 +67,14 @@ Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
     if (c.state.lighting.two_side)
         draw.back_material = std::make_shared<const gw::Material>(materials.back);
     draw.current = shared_values({values.color, values.normal, values.texcoord});
-    draw.lights = c.machine_state.lights;
+    draw.lights = c.translated.lights;
     draw.map.texture = enabled_texture(c);
     return draw;
 }
 
 Draw with_texture_coordinates(Draw draw) {
-    static const TextureRef& any = lasting(make_texture("", 1, 1, std::vector<std::uint16_t>(4)));
+    static const TextureRef& any =
+        leaked_static(make_texture("", 1, 1, std::vector<std::uint16_t>(4)));
     draw.map.texture = any;
     return draw;
 }
@@ -86,7 +87,7 @@ std::vector<CallRun> present_call(const Context& c) {
 bool submit_state(Context& c, std::span<const CallRun> calls) {
     if (c.drawable == nullptr) return false;
     update_machine_state(c);
-    c.drawable->set_state(c.machine_state.state, calls);
+    c.drawable->set_state(c.translated.state, calls);
     return true;
 }
 
@@ -103,14 +104,16 @@ void submit(Context& c, Draw draw, std::vector<CallRun> calls) {
     if (is_drawable(c)) submit_command(c, std::move(draw), std::move(calls));
 }
 
-void submit_assembled(Context& c) {
-    update_machine_state(c);
+void flush_mesh(Context& c) {
     Assembler& a = c.assembler;
+    if (a.mesh.empty() || a.inside) return;
+    update_machine_state(c);
     const AssembledVertex first = a.mesh.vertices.front();
     MeshRef mesh = c.meshes.mesh_of(a.mesh, a.materials,
                                     used_values(c.state, c.selection.mode == GL_FEEDBACK));
     submit(c, make_draw(c, std::move(mesh), first, a.materials.front()),
            std::exchange(c.calls.runs, {}));
+    a.clear();
 }
 
 }  // namespace gw::gl

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
-#include "gl/context/call_trace.h"
+#include "gl/drawable/call_trace.h"
 #include "gw/command_list.h"
 
 #include <span>
@@ -12,17 +12,14 @@ namespace gw::gl {
 
 struct Context;
 
-/// The machine's state and lights that follow from GL's, kept until a group changes.
-struct MachineState {
-    bool changed = true;
-    gw::State state;
-    LightsRef lights;
-};
+/// Draws the mesh that has been assembled, if there is one. Everything that changes the state or reads
+/// pixels calls it first.
+void flush_mesh(Context& c);
 
-/// Draws what was assembled before a change of the state, and notes the change.
+/// Before a change of the state: flushes the mesh, and notes the change.
 void begin_change(Context& c);
 
-/// Assigns a value of the state. What was assembled before is drawn with the old one.
+/// Flushes the mesh, then assigns a value of the state.
 template <class T, class V>
 void change(Context& c, T& field, const V& value) {
     if (field == T(value)) return;
@@ -46,13 +43,11 @@ Draw with_texture_coordinates(Draw draw);
 /// Adds a draw to the frame; in feedback and selection mode, reports its primitives. `calls` are
 /// those of its primitives; none: the present call made them all.
 void submit(Context& c, Draw draw, std::vector<CallRun> calls = {});
-/// Draws what was assembled.
-void submit_assembled(Context& c);
 
 /// The call that is being carried out; none if calls are not kept.
 std::vector<CallRun> present_call(const Context& c);
 
-/// Brings machine_state up to GL's state.
+/// Brings Context::translated up to GL's state.
 void update_machine_state(Context& c);
 
 /// Sends GL's state to the drawable, for commands that do not draw meshes (clears, pixels). False if

@@ -1,6 +1,6 @@
 #include "gl/egl/current.h"
 
-#include "gl/context/of_thread.h"
+#include "gl/context/thread_binding.h"
 #include "gl/egl/failure.h"
 
 #include <mutex>
@@ -35,7 +35,7 @@ void Binding::leave() {
     draw = read = nullptr;
 }
 
-Binding& binding() { return of_thread<Binding>(); }
+Binding& binding() { return thread_binding<Binding>(); }
 
 void release_current() {
     if (!binding().context) return;

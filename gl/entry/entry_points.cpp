@@ -2,7 +2,7 @@
 
 #include "gl/context/context.h"
 #include "gl/context/current.h"
-#include "gw/base/lasting.h"
+#include "gw/base/leaked_static.h"
 
 #include <string_view>
 #include <unordered_map>
@@ -10,7 +10,7 @@
 namespace gw::gl {
 
 Address find_entry_point(const char* name) {
-    static const auto& table = lasting([] {
+    static const auto& table = leaked_static([] {
         std::unordered_map<std::string_view, Address> addresses;
         for (const auto& points : {entry_points(), later_entry_points()})
             for (const EntryPoint& point : points) addresses[point.name] = point.address;

@@ -90,7 +90,7 @@ def exported(definitions):
 
 
 def definitions(rows):
-    return ['#include "gl/api/call.h"', '#include "gl/api/calls.h"', '#include "gl/api/convert.h"',
+    return ['#include "gl/lists/call.h"', '#include "gl/api/convert.h"',
             '#include "gl/entry/entry_points.h"', "using namespace gw::gl;",
             *exported(function(*row) for row in rows), *table("entry_points", rows)]
 

@@ -1,9 +1,9 @@
 // GLX's functions of contexts. [GLX 1.4] 3.3.7; GLX_ARB_create_context
 #include "gl/glx/displays.h"
 
-#include "gl/context/caught.h"
+#include "gl/attributes/attributes.h"
+#include "gl/context/c_boundary.h"
 #include "gl/glx/current.h"
-#include "gl/state/attributes.h"
 
 #include <X11/Xmd.h>
 // The numbers of the requests.
@@ -20,7 +20,7 @@ GLXContext create(Display* display, const Config& config, GLXContext share_list,
         return send_error(display, GlxError::Context, 0, request), nullptr;
     if (share_list != nullptr && share_list->config.visual.screen != config.visual.screen)
         return send_error(display, BadMatch, share_list->name, request), nullptr;
-    return caught([&] {
+    return at_c_boundary([&] {
         std::shared_ptr<Shared> shared = share_list ? share_list->context.shared : nullptr;
         return keep_context(std::make_unique<__GLXcontextRec>(display, config, std::move(shared)));
     });
@@ -144,7 +144,7 @@ Bool make_context_current(Display* display, XID draw, XID read, GLXContext conte
 extern "C" {
 
 GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext share_list, Bool) {
-    return caught([&]() -> GLXContext {
+    return at_c_boundary([&]() -> GLXContext {
         Config* const config = visual != nullptr ? config_of_visual(display, *visual) : nullptr;
         if (config == nullptr) return send_error(display, BadValue, 0, X_GLXCreateContext), nullptr;
         return create(display, *config, share_list, X_GLXCreateContext);
@@ -153,7 +153,7 @@ GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext sh
 
 GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_type,
                                GLXContext share_list, Bool) {
-    return caught([&]() -> GLXContext {
+    return at_c_boundary([&]() -> GLXContext {
         if (!check_config(display, config, X_GLXCreateNewContext)) return nullptr;
         if (render_type != GLX_RGBA_TYPE) {
             const bool exists = render_type == GLX_COLOR_INDEX_TYPE;
@@ -167,7 +167,7 @@ GLXContext glXCreateNewContext(Display* display, GLXFBConfig config, int render_
 GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXContext share_list,
                                       Bool, const int* list) {
     constexpr int request = 34;  // X_GLXCreateContextAttribsARB
-    return caught([&]() -> GLXContext {
+    return at_c_boundary([&]() -> GLXContext {
         if (!check_config(display, config, request)) return nullptr;
         Wanted wanted;
         if (!read_wanted(wanted, list)) return send_error(display, BadValue, 0, request), nullptr;
@@ -188,7 +188,7 @@ GLXContext glXCreateContextWithConfigSGIX(Display* display, GLXFBConfig config, 
 
 void glXDestroyContext(Display* display, GLXContext context) {
     if (context == nullptr) return;
-    caught([&] {
+    at_c_boundary([&] {
         if (!is_context(context))
             return send_error(display, GlxError::Context, 0, X_GLXDestroyContext);
         destroy_context(context);
@@ -196,14 +196,14 @@ void glXDestroyContext(Display* display, GLXContext context) {
 }
 
 Bool glXMakeCurrent(Display* display, GLXDrawable drawable, GLXContext context) {
-    return caught([&] {
+    return at_c_boundary([&] {
         return make_context_current(display, drawable, drawable, context, X_GLXMakeCurrent);
     });
 }
 
 Bool glXMakeContextCurrent(Display* display, GLXDrawable draw, GLXDrawable read,
                            GLXContext context) {
-    return caught([&] {
+    return at_c_boundary([&] {
         return make_context_current(display, draw, read, context, X_GLXMakeContextCurrent);
     });
 }
@@ -214,7 +214,7 @@ Bool glXMakeCurrentReadSGI(Display* display, GLXDrawable draw, GLXDrawable read,
 }
 
 void glXCopyContext(Display* display, GLXContext from, GLXContext to, unsigned long mask) {
-    caught([&] {
+    at_c_boundary([&] {
         if (!is_context(from) || !is_context(to))
             return send_error(display, GlxError::Context, 0, X_GLXCopyContext);
         if (from->config.visual.screen != to->config.visual.screen)
@@ -226,14 +226,14 @@ void glXCopyContext(Display* display, GLXContext from, GLXContext to, unsigned l
 
 /// Every context draws in the program itself.
 Bool glXIsDirect(Display* display, GLXContext context) {
-    return caught([&]() -> Bool {
+    return at_c_boundary([&]() -> Bool {
         if (is_context(context)) return True;
         return send_error(display, GlxError::Context, 0, X_GLXIsDirect), False;
     });
 }
 
 int glXQueryContext(Display* display, GLXContext context, int name, int* value) {
-    return caught([&]() -> int {
+    return at_c_boundary([&]() -> int {
         if (!is_context(context)) {
             send_error(display, GlxError::Context, 0, X_GLXQueryContext);
             return GLX_BAD_CONTEXT;

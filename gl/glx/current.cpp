@@ -1,6 +1,6 @@
 #include "gl/glx/current.h"
 
-#include "gl/context/of_thread.h"
+#include "gl/context/thread_binding.h"
 #include "gl/x11/new_name.h"
 
 #include <atomic>
@@ -47,7 +47,7 @@ void leave_context(GLXContext context) {
 
 void Current::leave() { leave_context(context); }
 
-Current& current_binding() { return of_thread<Current>(); }
+Current& current_binding() { return thread_binding<Current>(); }
 
 bool has_exit_begun() { return exit_has_begun; }
 

@@ -1,7 +1,7 @@
 // GLX's functions of windows, pixmaps, pbuffers and buffers. [GLX 1.4] 3.3.4 to 3.3.6, 3.3.10
 #include "gl/glx/displays.h"
 
-#include "gl/context/caught.h"
+#include "gl/context/c_boundary.h"
 #include "gl/glx/current.h"
 #include "gl/x11/new_name.h"
 
@@ -86,14 +86,14 @@ void query(Surface& surface, int name, unsigned* value) {
 extern "C" {
 
 GLXWindow glXCreateWindow(Display* display, GLXFBConfig config, Window window, const int*) {
-    return caught([&]() -> XID {
+    return at_c_boundary([&]() -> XID {
         if (!is_config_for(display, config, X_GLXCreateWindow)) return 0;
         return make_surface(display, *config, Surface::Kind::Window, window, X_GLXCreateWindow);
     });
 }
 
 void glXDestroyWindow(Display* display, GLXWindow window) {
-    caught([&] {
+    at_c_boundary([&] {
         const auto surface = find_surface(display, window);
         // [GLX 1.4] 3.3.4: a GLX window goes with its window.
         const bool exists = surface && x11::window_geometry(display, surface->target());
@@ -103,21 +103,21 @@ void glXDestroyWindow(Display* display, GLXWindow window) {
 }
 
 GLXPixmap glXCreatePixmap(Display* display, GLXFBConfig config, Pixmap pixmap, const int*) {
-    return caught([&]() -> XID {
+    return at_c_boundary([&]() -> XID {
         if (!is_config_for(display, config, X_GLXCreatePixmap)) return 0;
         return make_surface(display, *config, Surface::Kind::Pixmap, pixmap, X_GLXCreatePixmap);
     });
 }
 
 void glXDestroyPixmap(Display* display, GLXPixmap pixmap) {
-    caught([&] {
+    at_c_boundary([&] {
         if (!remove_surface(display, pixmap, Surface::Kind::Pixmap))
             send_error(display, GlxError::Pixmap, pixmap, X_GLXDestroyPixmap);
     });
 }
 
 GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixmap) {
-    return caught([&]() -> XID {
+    return at_c_boundary([&]() -> XID {
         Config* const config = visual != nullptr ? config_of_visual(display, *visual) : nullptr;
         if (config == nullptr) return send_error(display, BadValue, 0, X_GLXCreateGLXPixmap), 0;
         return make_surface(display, *config, Surface::Kind::Pixmap, pixmap, X_GLXCreateGLXPixmap);
@@ -131,7 +131,7 @@ GLXPixmap glXCreateGLXPixmapWithConfigSGIX(Display* display, GLXFBConfig config,
 void glXDestroyGLXPixmap(Display* display, GLXPixmap pixmap) { glXDestroyPixmap(display, pixmap); }
 
 GLXPbuffer glXCreatePbuffer(Display* display, GLXFBConfig config, const int* list) {
-    return caught([&]() -> XID {
+    return at_c_boundary([&]() -> XID {
         if (!is_config_for(display, config, X_GLXCreatePbuffer)) return 0;
         const bool largest = value_of(list, GLX_LARGEST_PBUFFER, False) != False;
         int width = value_of(list, GLX_PBUFFER_WIDTH, 0);
@@ -150,14 +150,14 @@ GLXPbuffer glXCreatePbuffer(Display* display, GLXFBConfig config, const int* lis
 }
 
 void glXDestroyPbuffer(Display* display, GLXPbuffer pbuffer) {
-    caught([&] {
+    at_c_boundary([&] {
         if (!remove_surface(display, pbuffer, Surface::Kind::Pbuffer))
             send_error(display, GlxError::Pbuffer, pbuffer, X_GLXDestroyPbuffer);
     });
 }
 
 void glXQueryDrawable(Display* display, GLXDrawable drawable, int name, unsigned* value) {
-    caught([&] {
+    at_c_boundary([&] {
         if (const auto surface = surface_named(display, drawable, X_GLXGetDrawableAttributes))
             query(*surface, name, value);
     });
@@ -165,21 +165,21 @@ void glXQueryDrawable(Display* display, GLXDrawable drawable, int name, unsigned
 
 /// The machine keeps every pbuffer, so that no event ever comes.
 void glXSelectEvent(Display* display, GLXDrawable drawable, unsigned long mask) {
-    caught([&] {
+    at_c_boundary([&] {
         if (const auto s = surface_named(display, drawable, X_GLXChangeDrawableAttributes))
             s->event_mask = mask & GLX_PBUFFER_CLOBBER_MASK;
     });
 }
 
 void glXGetSelectedEvent(Display* display, GLXDrawable drawable, unsigned long* mask) {
-    caught([&] {
+    at_c_boundary([&] {
         if (const auto surface = surface_named(display, drawable, X_GLXGetDrawableAttributes))
             *mask = surface->event_mask;
     });
 }
 
 void glXSwapBuffers(Display* display, GLXDrawable drawable) {
-    caught([&] {
+    at_c_boundary([&] {
         const auto surface = surface_named(display, drawable, X_GLXSwapBuffers);
         if (!surface) return;
         if (!surface->is_double_buffered()) return finish_current(surface);

@@ -1,7 +1,7 @@
 // GLX's functions of versions, configurations and visuals. [GLX 1.4] 3.3.1 to 3.3.3, 3.3.10
 #include "gl/glx/displays.h"
 
-#include "gl/context/caught.h"
+#include "gl/context/c_boundary.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -48,7 +48,7 @@ bool is_of_configs_only(int name) {
 extern "C" {
 
 Bool glXQueryExtension(Display* display, int* error_base, int* event_base) {
-    return caught([&]() -> Bool {
+    return at_c_boundary([&]() -> Bool {
         const ExtensionCodes& codes = codes_of(display);
         if (error_base != nullptr) *error_base = codes.error_base;
         if (event_base != nullptr) *event_base = codes.event_base;
@@ -75,7 +75,7 @@ const char* glXQueryExtensionsString(Display* display, int screen) {
 /// Double-buffered ones first: programs look here for the first configuration of a visual, and a
 /// visual stands for that one.
 GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
-    return caught([&]() -> GLXFBConfig* {
+    return at_c_boundary([&]() -> GLXFBConfig* {
         std::vector<Config*> all;
         for (Config& config : configs_of(display, screen)) all.push_back(&config);
         std::stable_partition(all.begin(), all.end(), std::mem_fn(&Config::double_buffered));
@@ -84,7 +84,7 @@ GLXFBConfig* glXGetFBConfigs(Display* display, int screen, int* count) {
 }
 
 GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* list, int* count) {
-    return caught([&]() -> GLXFBConfig* {
+    return at_c_boundary([&]() -> GLXFBConfig* {
         *count = 0;
         const auto found = matching(configs_of(display, screen), list);
         return found ? array_of(*found, count) : nullptr;
@@ -92,7 +92,7 @@ GLXFBConfig* glXChooseFBConfig(Display* display, int screen, const int* list, in
 }
 
 int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int name, int* value) {
-    return caught([&]() -> int {
+    return at_c_boundary([&]() -> int {
         if (!is_config(display, config)) return GLX_BAD_VALUE;
         const std::optional<int> has = attribute(*config, name);
         if (!has) return GLX_BAD_ATTRIBUTE;
@@ -102,13 +102,13 @@ int glXGetFBConfigAttrib(Display* display, GLXFBConfig config, int name, int* va
 }
 
 XVisualInfo* glXGetVisualFromFBConfig(Display* display, GLXFBConfig config) {
-    return caught([&]() -> XVisualInfo* {
+    return at_c_boundary([&]() -> XVisualInfo* {
         return is_config(display, config) ? chosen_visual(display, *config) : nullptr;
     });
 }
 
 XVisualInfo* glXChooseVisual(Display* display, int screen, int* list) {
-    return caught([&]() -> XVisualInfo* {
+    return at_c_boundary([&]() -> XVisualInfo* {
         const auto attributes = list_of_visual_attributes(list);
         if (!attributes) return nullptr;
         const auto found = matching(configs_of(display, screen), attributes->data());
@@ -117,7 +117,7 @@ XVisualInfo* glXChooseVisual(Display* display, int screen, int* list) {
 }
 
 int glXGetConfig(Display* display, XVisualInfo* visual, int name, int* value) {
-    return caught([&]() -> int {
+    return at_c_boundary([&]() -> int {
         if (visual == nullptr) return GLX_BAD_VISUAL;
         if (visual->screen < 0 || visual->screen >= ScreenCount(display)) return GLX_BAD_SCREEN;
         const Config* const config = config_of_visual(display, *visual);
@@ -144,7 +144,7 @@ XVisualInfo* glXGetVisualFromFBConfigSGIX(Display* display, GLXFBConfig config) 
 }
 
 GLXFBConfig glXGetFBConfigFromVisualSGIX(Display* display, XVisualInfo* visual) {
-    return caught([&]() -> GLXFBConfig {
+    return at_c_boundary([&]() -> GLXFBConfig {
         return visual != nullptr ? config_of_visual(display, *visual) : nullptr;
     });
 }

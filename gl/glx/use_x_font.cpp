@@ -2,7 +2,7 @@
 // page has the origin of y as descent - 1: text is one row higher than X draws it.
 #include "gl/glx/displays.h"
 
-#include "gl/context/caught.h"
+#include "gl/context/c_boundary.h"
 #include "gl/glx/current.h"
 #include "gl/x11/quiet_errors.h"
 
@@ -92,7 +92,7 @@ void set_unpack() {
 extern "C" {
 
 void glXUseXFont(Font name, int first, int count, int list) {
-    caught([&] {
+    at_c_boundary([&] {
         Display* const display = glXGetCurrentDisplay();
         if (display == nullptr || count <= 0) return;
         if (current->lists.open)

@@ -2,11 +2,13 @@
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
-#include "gl/draw/submit.h"
+#include "gl/lists/display_list.h"
 
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <memory>
+#include <utility>
 
 namespace gw::gl {
 
@@ -69,6 +71,27 @@ GLuint free_names(const ListNames& names, GLuint count) {
 GLuint whole_name(double name) {
     return std::abs(name) < 0x1p32 ? GLuint(static_cast<std::int64_t>(name)) : 0;
 }
+
+/// While one lives, the context's present call plays a display list.
+class PlayedListScope {
+public:
+    PlayedListScope(CallTrace& calls, GLuint name) : calls_(calls) {
+        if (!calls_are_kept) return;
+        outer_ = std::exchange(calls_.list,
+                               std::make_shared<const PlayedList>(PlayedList{name, calls_.now}));
+    }
+    ~PlayedListScope() {
+        if (!calls_are_kept || !calls_.list) return;
+        calls_.now = calls_.list->caller;
+        calls_.list = std::move(outer_);
+    }
+    PlayedListScope(const PlayedListScope&) = delete;
+    PlayedListScope& operator=(const PlayedListScope&) = delete;
+
+private:
+    CallTrace& calls_;
+    std::shared_ptr<const PlayedList> outer_;
+};
 
 /// The list of a name; null: there is none, or it is empty.
 std::shared_ptr<const DisplayList> list_named(Context& c, GLuint name) {

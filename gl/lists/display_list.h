@@ -8,7 +8,6 @@
 #include <GL/gl.h>
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <tuple>
 #include <type_traits>
@@ -18,9 +17,6 @@
 namespace gw::gl {
 
 struct Context;
-
-/// Lists may call lists to this depth; deeper calls are left out. [GL11] table 6.20
-inline constexpr int max_list_nesting = 64;
 
 struct SealedRuns;
 
@@ -116,19 +112,5 @@ void DisplayList::add(Function function, const Values&... values) {
     std::construct_at(reinterpret_cast<Header*>(at), Header{&listed_operations<kind, execute, Kept>,
                                                             std::uint32_t(size), function});
 }
-
-/// The names of lists, and the lists. Contexts may share them.
-struct ListNames {
-    /// null: reserved by GenLists, empty
-    std::map<GLuint, std::shared_ptr<const DisplayList>> lists;
-};
-
-/// The list that NewList opened.
-struct OpenList {
-    std::shared_ptr<DisplayList> open;
-    GLuint name = 0;
-    GLenum mode = GL_COMPILE;
-    int nesting = 0;  ///< of the lists that are being played
-};
 
 }  // namespace gw::gl

@@ -1,7 +1,7 @@
 // Finds the runs of vertices in a display list and assembles them.
 #include "gl/api/calls.h"
 #include "gl/assemble/run_calls.h"
-#include "gl/context/call_trace.h"
+#include "gl/drawable/call_trace.h"
 #include "gl/lists/sealed_runs.h"
 
 #include <cmath>

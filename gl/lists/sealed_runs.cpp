@@ -19,7 +19,7 @@ const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
 /// The values of vertices for which a mesh has none.
 AssembledVertex common_values(const Context& c, const SealedRuns& runs,
                               const AssembledVertex& first) {
-    AssembledVertex out = current_vertex(c);
+    AssembledVertex out = current_vertex(c.state.current);
     if (runs.given.color) out.color = first.color;
     if (runs.given.normal) out.normal = first.normal;
     if (runs.given.texcoord) out.texcoord = first.texcoord;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "gl/assemble/assembly.h"
-#include "gl/context/call_trace.h"
-#include "gl/draw/mesh.h"
+#include "gl/assemble/mesh.h"
+#include "gl/drawable/call_trace.h"
 #include "gl/lists/display_list.h"
 
 #include <array>

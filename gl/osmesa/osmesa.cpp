@@ -1,9 +1,10 @@
 // OSMesa's functions: contexts that draw into the caller's memory. Flush and Finish, of the thread
 // whose context it is, bring it up to date. No other call touches it. Colour index mode is not offered.
-#include "gl/context/caught.h"
+#include "gl/context/c_boundary.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
-#include "gl/context/settings.h"
+#include "gl/draw/finish.h"
+#include "gl/drawable/settings.h"
 #include "gl/entry/entry_points.h"
 #include "gl/record/recorder.h"
 
@@ -185,7 +186,7 @@ thread_local osmesa_context* current_osmesa = nullptr;
 OSMesaContext make_context(GLenum format, OSMesaContext sharelist) {
     const Layout* const layout = layout_of(format);
     if (layout == nullptr) return nullptr;
-    return caught([&] {
+    return at_c_boundary([&] {
         start_recording();
         return new osmesa_context(*layout, sharelist ? sharelist->context.shared : nullptr);
     });
@@ -277,7 +278,7 @@ GLboolean GLAPIENTRY OSMesaMakeCurrent(OSMesaContext context, void* buffer, GLen
         return GL_TRUE;
     }
     if (buffer == nullptr || !is_type_of(context->layout.format, type)) return GL_FALSE;
-    return caught([&]() -> GLboolean {
+    return at_c_boundary([&]() -> GLboolean {
         auto& memory = context->memory;
         check_window(width, height);
         if (!memory)
@@ -328,7 +329,7 @@ void GLAPIENTRY OSMesaGetIntegerv(GLint pname, GLint* value) {
 GLboolean GLAPIENTRY OSMesaGetDepthBuffer(OSMesaContext context, GLint* width, GLint* height,
                                           GLint* bytes_per_value, void** buffer) {
     if (context == nullptr || !context->memory) return GL_FALSE;
-    return caught([&]() -> GLboolean {
+    return at_c_boundary([&]() -> GLboolean {
         if (context == current_osmesa) finish_drawing(context->context);
         *width = context->memory->width();
         *height = context->memory->height();

@@ -2,6 +2,7 @@
 #include "gl/api/calls.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
+#include "gl/draw/report.h"
 #include "gl/draw/submit.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/pieces.h"
@@ -132,7 +133,7 @@ public:
     }
     ~Untested() {
         context_.state = before_;
-        context_.machine_state.changed = true;
+        context_.translated.changed = true;
     }
     Untested(const Untested&) = delete;
     Untested& operator=(const Untested&) = delete;

@@ -1,7 +1,7 @@
 // Rows of pixels in the caller's memory, as PixelStore lays them out. [GL11] 3.6.4, 4.3.2
 #pragma once
 
-#include "gl/pixels/pixel_store.h"
+#include "gl/state/client.h"
 
 #include <GL/gl.h>
 

@@ -29,7 +29,7 @@ void submit_read_buffer(Context& c) {
         return;
     }
     update_machine_state(c);
-    gw::State state = c.machine_state.state;
+    gw::State state = c.translated.state;
     const GLenum mode = c.state.pixel.read_buffer;
     const bool is_back = mode == GL_BACK || mode == GL_BACK_LEFT;
     state.read_buffer =

@@ -1,7 +1,7 @@
 // Pixels of the drawable, for ReadPixels and for copies into textures.
 #pragma once
 
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 #include "gw/base/types.h"
 #include "gw/planes.h"
 

@@ -1,13 +1,13 @@
 // GetBooleanv .. GetString, and the queries of lights, materials and textures. [GL11] 6.1
 #include "gl/api/calls.h"
+#include "gl/attributes/attributes.h"
 #include "gl/context/context.h"
-#include "gl/evaluate/evaluators.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
 #include "gl/pixels/transfer.h"
 #include "gl/query/state_variables.h"
 #include "gl/query/strings.h"
-#include "gl/state/color_material.h"
+#include "gl/state/evaluators.h"
 
 #include <algorithm>
 #include <optional>

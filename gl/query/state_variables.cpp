@@ -1,10 +1,10 @@
 // Every state variable that the functions Get.. answer, in one table. [GL11] tables 6.5 to 6.22
 #include "gl/query/state_variables.h"
 
+#include "gl/attributes/attributes.h"
 #include "gl/context/context.h"
 #include "gl/state/capabilities.h"
-#include "gl/state/color_material.h"
-#include "gw/base/lasting.h"
+#include "gw/base/leaked_static.h"
 
 #include <map>
 
@@ -287,7 +287,7 @@ Table make_variables() {
 }  // namespace
 
 std::optional<QueryValues> state_variable(Context& c, GLenum pname) {
-    static const Table& table = lasting(make_variables());
+    static const Table& table = leaked_static(make_variables());
     if (const auto found = table.find(pname); found != table.end()) return found->second(c);
     if (const Capability* capability = find_capability(pname))
         return whole(is_enabled(c.state, *capability));

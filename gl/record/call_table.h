@@ -2,7 +2,7 @@
 // places in the program.
 #pragma once
 
-#include "gl/context/call_trace.h"
+#include "gl/drawable/call_trace.h"
 #include "inspect/recording/calls.h"
 
 #include <map>

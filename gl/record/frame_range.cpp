@@ -1,6 +1,6 @@
 #include "gl/record/frame_range.h"
 
-#include "gl/context/settings.h"
+#include "gl/drawable/settings.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 #include "gl/record/recorder.h"
 
-#include "gl/context/drawable.h"
-#include "gl/context/settings.h"
+#include "gl/drawable/drawable.h"
+#include "gl/drawable/settings.h"
 #include "gl/record/recording.h"
 #include "gl/record/screenshot.h"
 #include "gl/record/statistics.h"

@@ -1,6 +1,6 @@
 #include "gl/record/recording.h"
 
-#include "gl/context/drawable.h"
+#include "gl/drawable/drawable.h"
 #include "gl/record/restored_planes.h"
 #include "gw/error.h"
 

@@ -1,7 +1,7 @@
 // Records what a program draws: GW_RECORD names the file. docs/recordings.md, "Streams".
 #pragma once
 
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 #include "gl/record/call_table.h"
 #include "gl/record/frame_range.h"
 #include "gw/profile.h"

@@ -1,6 +1,6 @@
 #include "gl/record/screenshot.h"
 
-#include "gl/context/drawable.h"
+#include "gl/drawable/drawable.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // Keeps the picture of the last frame that was shown: GW_SCREENSHOT names the file.
 #pragma once
 
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 #include "gl/record/frame_range.h"
 
 #include <string>

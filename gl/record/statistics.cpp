@@ -1,6 +1,6 @@
 #include "gl/record/statistics.h"
 
-#include "gl/context/drawable.h"
+#include "gl/drawable/drawable.h"
 #include "gw/error.h"
 #include "inspect/text/plural.h"
 

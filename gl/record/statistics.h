@@ -1,7 +1,7 @@
 // Counts what a program draws, frame by frame: GW_STATS names the file of the result.
 #pragma once
 
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 #include "gl/record/frame_range.h"
 
 #include <array>

@@ -1,10 +1,6 @@
 #include "gl/state/capabilities.h"
 
-#include "gl/api/calls.h"
-#include "gl/context/context.h"
-#include "gl/draw/submit.h"
-#include "gl/state/color_material.h"
-#include "gw/base/lasting.h"
+#include "gw/base/leaked_static.h"
 
 #include <algorithm>
 #include <vector>
@@ -56,23 +52,10 @@ std::vector<Capability> make_capabilities() {
     return table;
 }
 
-void set_capability(Context& c, GLenum name, bool on) {
-    const Capability* const capability = find_capability(name);
-    // GL_EXT_vertex_array: arrays are enabled as other capabilities are.
-    if (ClientArray* const array = find_array(c.client, name)) {
-        array->enable = on;
-        return;
-    }
-    if (capability == nullptr) return set_error(c, GL_INVALID_ENUM);
-    if (name == GL_COLOR_MATERIAL) track_color(c);
-    change(c, capability->field(c.state, capability->index), on);
-    if (name == GL_COLOR_MATERIAL) track_color(c);
-}
-
 }  // namespace
 
 std::span<const Capability> capabilities() {
-    static const std::vector<Capability>& table = lasting(make_capabilities());
+    static const std::vector<Capability>& table = leaked_static(make_capabilities());
     return table;
 }
 
@@ -81,19 +64,5 @@ const Capability* find_capability(GLenum name) {
     const auto found = std::ranges::lower_bound(table, name, {}, &Capability::name);
     return found != table.end() && found->name == name ? &*found : nullptr;
 }
-
-namespace execute {
-
-void enable(Context& c, GLenum cap) { set_capability(c, cap, true); }
-void disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
-
-GLboolean is_enabled(Context& c, GLenum cap) {
-    const Capability* const capability = find_capability(cap);
-    if (capability != nullptr) return gl::is_enabled(c.state, *capability) ? GL_TRUE : GL_FALSE;
-    if (const ClientArray* array = find_array(c.client, cap)) return array->enable;
-    return set_error(c, GL_INVALID_ENUM), GL_FALSE;
-}
-
-}  // namespace execute
 
 }  // namespace gw::gl

@@ -79,6 +79,22 @@ struct PixelState {
     GLenum read_buffer = GL_FRONT;
 };
 
+inline constexpr int pixel_map_count = 10;
+inline constexpr int max_pixel_map = 256;
+/// The ten tables of pixel transfer. [GL11] 3.6.3. No group of PushAttrib has them.
+struct PixelMaps {
+    /// GL_PIXEL_MAP_I_TO_I .. GL_PIXEL_MAP_A_TO_A. Values of the maps to indices are integers.
+    std::array<std::vector<float>, pixel_map_count> tables;
+    PixelMaps() { tables.fill({0.0f}); }
+    const std::vector<float>& operator[](GLenum map) const {
+        return tables[map - GL_PIXEL_MAP_I_TO_I];
+    }
+};
+
+constexpr bool is_face(GLenum face) {
+    return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
+}
+
 struct LightState {
     bool enable = false;
     vec4 ambient{0, 0, 0, 1}, diffuse{0, 0, 0, 1}, specular{0, 0, 0, 1};

@@ -4,7 +4,8 @@
 
 #include "gl/context/context.h"
 #include "gl/context/current.h"
-#include "gl/context/settings.h"
+#include "gl/draw/finish.h"
+#include "gl/drawable/settings.h"
 
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>

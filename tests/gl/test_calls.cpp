@@ -1,5 +1,5 @@
 // The table of calls names, for every fragment, the call of the program that made it.
-#include "gl/context/call_trace.h"
+#include "gl/drawable/call_trace.h"
 #include "gl/record/call_table.h"
 #include "inspect/replay/pixel_history.h"
 #include "tests/gl/support/window.h"

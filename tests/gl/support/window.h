@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/context/context.h"
+#include "gl/draw/finish.h"
 
 #include <GL/gl.h>
 #include <gtest/gtest.h>

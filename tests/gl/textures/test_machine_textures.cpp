@@ -1,5 +1,5 @@
 // The machine's textures that texture objects become.
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 #include "tests/gl/support/window.h"
 
 namespace gw::gl {

@@ -1,5 +1,5 @@
 // Parts of images that are replaced between draws. [GL11] 3.8.2
-#include "gl/context/frame_log.h"
+#include "gl/drawable/frame_log.h"
 
 #include "tests/gl/support/window.h"
 #include "tests/gw/random.h"

@@ -1,0 +1,106 @@
+#include "gl/assemble/mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gw::gl {
+
+namespace {
+
+/// Whether all vertices have the first one's value.
+template <class Value>
+bool all_equal(const std::vector<AssembledVertex>& vertices, Value value) {
+    const auto& first = value(vertices.front());
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](const AssembledVertex& v) { return value(v) == first; });
+}
+
+template <class T, class Value>
+void collect(std::vector<T>& out, const std::vector<AssembledVertex>& vertices, Value value) {
+    out.resize(vertices.size());
+    std::transform(vertices.begin(), vertices.end(), out.begin(), value);
+}
+
+void add_positions(MeshData& data, const std::vector<AssembledVertex>& vertices) {
+    collect(data.positions, vertices, [](const auto& v) { return vec3(v.position); });
+    const auto w = [](const AssembledVertex& v) { return v.position.w; };
+    if (vertices.front().position.w != 1 || !all_equal(vertices, w)) collect(data.w, vertices, w);
+}
+
+void add_texcoords(MeshData& data, const std::vector<AssembledVertex>& vertices) {
+    const auto rq = [](const AssembledVertex& v) { return vec2(v.texcoord.z, v.texcoord.w); };
+    collect(data.texcoords, vertices, [](const auto& v) { return vec2(v.texcoord); });
+    if (rq(vertices.front()) != vec2(0, 1) || !all_equal(vertices, rq))
+        collect(data.texcoords_rq, vertices, rq);
+}
+
+/// The values that vary become arrays of the mesh, the others the draw's current values.
+void add_values(MeshData& data, const Assembly& a, const std::vector<FaceMaterials>& materials,
+                const VertexValues& used) {
+    const std::vector<AssembledVertex>& vertices = a.vertices;
+    const auto color = [](const AssembledVertex& v) { return v.color; };
+    const auto normal = [](const AssembledVertex& v) { return v.normal; };
+    const auto texcoord = [](const AssembledVertex& v) { return v.texcoord; };
+    if (used.colors && !all_equal(vertices, color)) collect(data.colors, vertices, color);
+    if (used.normals && !all_equal(vertices, normal)) collect(data.normals, vertices, normal);
+    if (used.texcoords && !all_equal(vertices, texcoord)) add_texcoords(data, vertices);
+    if (used.materials && materials.size() > 1) {
+        data.materials = materials;
+        collect(data.material_indices, vertices, [](const auto& v) { return v.material(); });
+    }
+}
+
+MeshData mesh_data(const Assembly& a, const std::vector<FaceMaterials>& materials,
+                   const VertexValues& used) {
+    MeshData data{.primitive = a.primitive};
+    add_positions(data, a.vertices);
+    add_values(data, a, materials, used);
+    data.indices = a.indices;
+    data.polygon_sizes = a.polygon_sizes;
+    if (a.has_hidden_edges && a.primitive >= Primitive::Triangles)
+        collect(data.edge_flags, a.vertices, [](const auto& v) { return std::uint8_t(v.edge()); });
+    return data;
+}
+
+}  // namespace
+
+VertexValues used_values(const State& s, bool is_feedback) {
+    const bool lit = s.lighting.enable;
+    const bool textured = s.texture.enable[0] || s.texture.enable[1] || is_feedback;
+    bool sphere_map = false, given = false;
+    for (const TexGenState& gen : s.texture.gen) {
+        sphere_map |= gen.enable && gen.mode == GL_SPHERE_MAP;
+        given |= !gen.enable;
+    }
+    return {.colors = !lit || s.lighting.color_material,
+            .normals = lit || (textured && sphere_map),
+            .texcoords = textured && given,
+            .materials = lit};
+}
+
+MeshRef mesh_of(const Assembly& assembly, const std::vector<FaceMaterials>& materials,
+                const VertexValues& used) {
+    return make_mesh(mesh_data(assembly, materials, used));
+}
+
+MeshRef MeshCache::mesh_of(Assembly& assembly, const std::vector<FaceMaterials>& materials,
+                           const VertexValues& used) {
+    if (next_ == entries_.size()) entries_.emplace_back();
+    Entry& entry = entries_[next_++];
+    if (entry.mesh && entry.used == used && entry.assembly == assembly &&
+        entry.materials == materials)
+        return entry.mesh;
+    entry.mesh = gl::mesh_of(assembly, materials, used);
+    entry.used = used;
+    entry.materials = materials;
+    std::swap(entry.assembly, assembly);
+    return entry.mesh;
+}
+
+void MeshCache::begin_frame() {
+    if (next_ == 0) return;  // Flush, then a swap
+    entries_.resize(next_);
+    next_ = 0;
+}
+
+}  // namespace gw::gl

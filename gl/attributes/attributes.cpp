@@ -1,0 +1,124 @@
+// PushAttrib .. PopClientAttrib. [GL11] 6.1.10
+#include "gl/attributes/attributes.h"
+
+#include "gl/api/calls.h"
+#include "gl/context/context.h"
+#include "gl/draw/submit.h"
+#include "gl/state/capabilities.h"
+
+namespace gw::gl {
+
+namespace {
+
+/// The groups of the state and their bits.
+void copy_groups(State& to, const State& from, GLbitfield mask) {
+    if (mask & GL_CURRENT_BIT) to.current = from.current;
+    if (mask & GL_POINT_BIT) to.point = from.point;
+    if (mask & GL_LINE_BIT) to.line = from.line;
+    if (mask & GL_POLYGON_BIT) to.polygon = from.polygon;
+    if (mask & GL_POLYGON_STIPPLE_BIT) to.polygon_stipple = from.polygon_stipple;
+    if (mask & GL_PIXEL_MODE_BIT) to.pixel = from.pixel;
+    if (mask & GL_LIGHTING_BIT) to.lighting = from.lighting;
+    if (mask & GL_FOG_BIT) to.fog = from.fog;
+    if (mask & GL_DEPTH_BUFFER_BIT) to.depth = from.depth;
+    if (mask & GL_ACCUM_BUFFER_BIT) to.accum = from.accum;
+    if (mask & GL_STENCIL_BUFFER_BIT) to.stencil = from.stencil;
+    if (mask & GL_VIEWPORT_BIT) to.viewport = from.viewport;
+    if (mask & GL_TRANSFORM_BIT) to.transform = from.transform;
+    if (mask & GL_COLOR_BUFFER_BIT) to.color_buffer = from.color_buffer;
+    if (mask & GL_HINT_BIT) to.hint = from.hint;
+    if (mask & GL_EVAL_BIT) to.eval = from.eval;
+    if (mask & GL_LIST_BIT) to.list = from.list;
+    if (mask & GL_TEXTURE_BIT) to.texture = from.texture;
+    if (mask & GL_SCISSOR_BIT) to.scissor = from.scissor;
+}
+
+void save_enables(SavedAttributes& saved, const State& s) {
+    for (const Capability& capability : capabilities())
+        saved.enables.push_back(is_enabled(s, capability));
+}
+void restore_enables(State& s, const SavedAttributes& saved) {
+    std::size_t i = 0;
+    for (const Capability& capability : capabilities())
+        capability.field(s, capability.index) = saved.enables[i++];
+}
+
+/// PopAttrib binds the textures again that were bound, as far as they still exist.
+void restore_textures(Context& c, const SavedAttributes& saved) {
+    for (std::size_t target = 0; target < texture_target_count; ++target) {
+        const GLenum name = GL_TEXTURE_1D + GLenum(target);
+        execute::bind_texture(c, name, saved.state.texture.bound[target]);
+        c.textures.bound[target]->parameters = saved.textures[target];
+    }
+}
+
+constexpr GLbitfield known_client_groups = GL_CLIENT_PIXEL_STORE_BIT | GL_CLIENT_VERTEX_ARRAY_BIT;
+
+void copy_client_groups(ClientState& to, const ClientState& from, GLbitfield mask) {
+    if (mask & GL_CLIENT_VERTEX_ARRAY_BIT) to.arrays = from.arrays;
+    if (mask & GL_CLIENT_PIXEL_STORE_BIT) {
+        to.pack = from.pack;
+        to.unpack = from.unpack;
+    }
+}
+
+}  // namespace
+
+void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
+    copy_groups(to.state, from.state, mask);
+    if (mask & GL_ENABLE_BIT) {
+        SavedAttributes saved;
+        save_enables(saved, from.state);
+        restore_enables(to.state, saved);
+    }
+    to.translated.changed = true;
+    if (!(mask & GL_TEXTURE_BIT)) return;
+    for (std::size_t i = 0; i < texture_target_count; ++i) {
+        const bool has = from.state.texture.bound[i] != 0 && to.shared == from.shared;
+        to.textures.bound[i] = has ? from.textures.bound[i] : to.textures.initial[i];
+        if (!has) to.state.texture.bound[i] = 0;
+    }
+}
+
+namespace execute {
+
+void push_attrib(Context& c, GLbitfield mask) {
+    if (c.attribute_stack.size() >= attribute_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
+    track_color(c);
+    SavedAttributes& saved = c.attribute_stack.emplace_back();
+    saved.mask = mask;
+    copy_groups(saved.state, c.state, mask);
+    if (mask & GL_ENABLE_BIT) save_enables(saved, c.state);
+    if (mask & GL_TEXTURE_BIT)
+        for (std::size_t i = 0; i < texture_target_count; ++i)
+            saved.textures[i] = c.textures.bound[i]->parameters;
+}
+
+void pop_attrib(Context& c) {
+    if (c.attribute_stack.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+    begin_change(c);
+    track_color(c);
+    const SavedAttributes saved = std::move(c.attribute_stack.back());
+    c.attribute_stack.pop_back();
+    if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved);
+    copy_groups(c.state, saved.state, saved.mask);
+    if (saved.mask & GL_ENABLE_BIT) restore_enables(c.state, saved);
+    track_color(c);
+}
+
+void push_client_attrib(Context& c, GLbitfield mask) {
+    if (c.client_stack.size() >= client_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
+    SavedClientState& saved = c.client_stack.emplace_back();
+    saved.mask = mask & known_client_groups;
+    copy_client_groups(saved.state, c.client, saved.mask);
+}
+
+void pop_client_attrib(Context& c) {
+    if (c.client_stack.empty()) return set_error(c, GL_STACK_UNDERFLOW);
+    copy_client_groups(c.client, c.client_stack.back().state, c.client_stack.back().mask);
+    c.client_stack.pop_back();
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl

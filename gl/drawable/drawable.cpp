@@ -1,0 +1,249 @@
+#include "gl/drawable/drawable.h"
+
+#include "gl/drawable/settings.h"
+#include "gw/base/parallel.h"
+
+#include <malloc.h>
+#include <system_error>
+#include <utility>
+
+namespace gw::gl {
+
+namespace {
+
+/// A program that shows more frames is an animation: the next follows soon.
+constexpr std::uint64_t frames_before_animation = 16;
+
+/// The memory that a frame frees is for the next one. The C library would give large blocks back to the
+/// system, and take each of their pages anew. These are its own values for a program that once freed
+/// 32 MB.
+bool keep_freed_memory() {
+#ifdef __GLIBC__
+    return mallopt(M_MMAP_THRESHOLD, 32 << 20) != 0 && mallopt(M_TRIM_THRESHOLD, 64 << 20) != 0;
+#else
+    return false;
+#endif
+}
+
+/// Never destroyed: other threads draw while the program ends.
+std::unique_ptr<FrameLog>& log = *new std::unique_ptr<FrameLog>;
+
+}  // namespace
+
+FrameLog* frame_log() { return log.get(); }
+void set_frame_log(std::unique_ptr<FrameLog> to) { log = std::move(to); }
+
+Drawable::Drawable(const Profile& profile, int width, int height, std::string name, Buffers buffers)
+    : name_(std::move(name)),
+      width_(width),
+      height_(height),
+      buffers_(buffers),
+      machine_(make_machine(profile, width, height)) {
+    [[maybe_unused]] static const bool is_kept = keep_freed_memory();
+    if (log) log->open(*this);
+}
+
+Drawable::~Drawable() {
+    end_background();
+    if (log) log->close(*this);
+}
+
+void Drawable::resize(int width, int height) {
+    const auto lock = exclusive();
+    settle();
+    std::unique_ptr<Machine> made = make_machine(Profile(profile()), width, height);
+    if (log) log->close(*this);
+    machine_ = std::move(made);
+    width_ = width;
+    height_ = height;
+    frame_.drop();
+    if (log) log->open(*this);
+}
+
+const Planes& Drawable::planes() {
+    const auto lock = exclusive();
+    settle();
+    return machine_->planes();
+}
+
+void Drawable::add(Command command, std::span<const CallRun> calls) {
+    const auto lock = exclusive();
+    if (log && frame_.is_new()) log->begin_frame(*this);
+    frame_.add(std::move(command), calls);
+    if (frame_.is_full()) flush(Cause::Full);
+}
+
+void Drawable::hold(std::size_t bytes) {
+    const auto lock = exclusive();
+    frame_.hold(bytes);
+}
+
+void Drawable::end_frame() {
+    const auto lock = exclusive();
+    front_drawn_ = false;
+    if (frame_.is_new()) return;
+    if (log) log->end_frame(*this);
+    frame_.end();
+}
+
+void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls) {
+    const auto lock = exclusive();
+    const bool to_front = has_back_plane() ? state.draw_buffer == DrawBuffer::Front ||
+                                                 state.draw_buffer == DrawBuffer::FrontAndBack
+                                           : !is_double_buffered();
+    front_changed_ |= to_front;
+    front_drawn_ |= to_front;
+    if (frame_.state() == nullptr || *frame_.state() != state) add(SetState{state}, calls);
+}
+
+void Drawable::settle() {
+    if (!background_) return;
+    try {
+        background_->wait();
+    } catch (...) {
+        // After an error, the machine's state is not known.
+        executed_.list.commands.clear();
+        frame_.drop();
+        throw;
+    }
+    executed_.list.commands.clear();
+    front_changed_ |= std::exchange(is_left_unseen_, false);
+}
+
+void Drawable::end_background() noexcept {
+    background_ = nullptr;
+    executed_.list.commands.clear();
+}
+
+bool Drawable::runs_behind() const {
+    return frame_.number() >= frames_before_animation && !log && settings().threads != 1 &&
+           hardware_threads() > 1 && Background::is_available();
+}
+
+bool Drawable::swap_behind() {
+    const auto lock = exclusive();
+    if (!runs_behind()) return false;
+    settle();
+    std::optional<FrameTarget> target = frame_target();
+    if (!target) return false;
+    try {
+        if (!background_) background_ = std::make_unique<Background>();
+    } catch (const std::system_error&) {
+        return false;  // the system gives no thread
+    }
+    start_behind(std::move(*target));
+    return true;
+}
+
+void Drawable::start_behind(FrameTarget target) {
+    select(gw::ReadBuffer::Front);
+    frame_.add_read(Plane::Color, {0, 0, width_, height_}, true);
+    machine_->read_into(0, target.pixels, target.layout);
+    frame_.reuse(std::exchange(executed_, frame_.take()));
+    front_changed_ = false;
+    background_->start([this, show = std::move(target.show)] {
+        machine_->execute(executed_.list);
+        machine_->reset_passes();
+        is_left_unseen_ = !show();
+    });
+}
+
+void Drawable::flush(Cause cause) {
+    const auto lock = exclusive();
+    settle();
+    if (!frame_.has_commands()) return;
+    CollectedCommands commands = frame_.take();
+    auto state = frame_.take_state();
+    machine_->execute(commands.list);
+    frame_.restore_state(std::move(state));
+    if (log) {
+        Counters sum;
+        for (const PassReport& pass : machine_->passes()) sum += pass.counters;
+        log->executed(*this, {commands.list, commands.calls, cause, sum});
+    }
+    machine_->reset_passes();
+    frame_.reuse(std::move(commands));
+}
+
+bool Drawable::finish_execution(Cause cause) {
+    const auto lock = exclusive();
+    const bool ends = front_drawn_ || is_off_screen();
+    if (!ends && background_)  // nothing that anybody sees: executed when it is swapped
+        settle();
+    else
+        flush(ends ? Cause::Shown : cause);
+    return ends;
+}
+
+// Not locked as a whole: windows lock their display before the drawable.
+bool Drawable::finish(Cause cause) {
+    const bool ends = finish_execution(cause);
+    present();
+    wait_until_shown();
+    if (ends) end_frame();
+    return ends;
+}
+
+void Drawable::flush_swapped() {
+    const auto lock = exclusive();
+    flush(Cause::Shown);
+    front_changed_ = true;
+}
+
+void Drawable::swap() {
+    if (has_back_plane()) add(SwapBuffers{});
+    if (!swap_behind()) {
+        flush_swapped();
+        present();
+    }
+    end_frame();
+}
+
+void Drawable::select(gw::ReadBuffer buffer) {
+    gw::State state = frame_.state() != nullptr ? *frame_.state() : gw::State();
+    if (state.read_buffer == buffer) return;
+    state.read_buffer = buffer;
+    set_state(state);
+}
+
+void Drawable::execute_read(Plane plane, const Rect& rect, Cause cause, bool packed) {
+    frame_.add_read(plane, rect, packed);
+    flush(cause);
+}
+
+Readback Drawable::read(Plane plane, const Rect& rect, Cause cause) {
+    const auto lock = exclusive();
+    execute_read(plane, rect, cause, false);
+    return machine_->readbacks().at(0);
+}
+
+void Drawable::read_values(Plane plane, const Rect& rect, Cause cause,
+                           std::span<std::uint32_t> values) {
+    const auto lock = exclusive();
+    settle();
+    machine_->read_into(0, values);
+    execute_read(plane, rect, cause, false);
+}
+
+Readback Drawable::read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause) {
+    const auto lock = exclusive();
+    select(buffer);
+    return read(Plane::Color, rect, cause);
+}
+
+void Drawable::read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
+                           ReadLayout layout) {
+    const auto lock = exclusive();
+    settle();
+    machine_->read_into(0, pixels, layout);
+    execute_read(Plane::Color, rect, cause, true);
+}
+
+void Drawable::read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
+                           std::span<std::uint32_t> pixels, ReadLayout layout) {
+    const auto lock = exclusive();
+    select(buffer);
+    read_packed(rect, cause, pixels, layout);
+}
+
+}  // namespace gw::gl

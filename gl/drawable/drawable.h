@@ -1,0 +1,145 @@
+// A drawable: a machine of its size, which executes the frames that are collected for it. Window
+// systems derive from it to show what was drawn. A window that swaps frame after frame has each
+// executed and shown by a thread, while the program makes the next. Whatever needs the machine waits
+// for it.
+#pragma once
+
+#include "gl/drawable/background.h"
+#include "gl/drawable/frame.h"
+#include "gl/drawable/frame_log.h"
+#include "gw/command_list.h"
+#include "gw/machine.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gw::gl {
+
+/// Whether a drawable has a front buffer only, front and back, or a back buffer only (a pbuffer of
+/// EGL), which is then the front plane.
+enum class Buffers : std::uint8_t { Single, Double, Back };
+
+class Drawable {
+public:
+    /// Throws Error for a size outside 1 .. max_window_size.
+    Drawable(const Profile& profile, int width, int height, std::string name = "main",
+             Buffers buffers = Buffers::Single);
+    virtual ~Drawable();
+    Drawable(const Drawable&) = delete;
+    Drawable& operator=(const Drawable&) = delete;
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    bool is_double_buffered() const { return buffers_ != Buffers::Single; }
+    /// Whether its machine has a plane for each buffer; else both are the one plane.
+    bool has_back_plane() const {
+        return buffers_ == Buffers::Double && profile().color_planes == 2;
+    }
+    const Profile& profile() const { return machine_->profile(); }
+    const std::string& name() const { return name_; }
+    /// The number of the frame that is being drawn, from 0.
+    std::uint64_t frame() const { return frame_.number(); }
+    const Planes& planes();
+    /// Of the commands so far; null: none has set a state.
+    const gw::State* state() const { return frame_.state(); }
+
+    /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
+    /// needs several calls in a row, as a state and its draw, holds this lock meanwhile.
+    [[nodiscard]] std::unique_lock<std::recursive_mutex> exclusive() {
+        return std::unique_lock(mutex_);
+    }
+
+    /// Adds a command to the frame, and the calls that made it; a state only if it differs from the
+    /// frame's last one.
+    void add(Command command, std::span<const CallRun> calls = {});
+    void set_state(const gw::State& state, std::span<const CallRun> calls = {});
+
+    /// Commands of the frame keep so much memory besides: textures that were made for it.
+    void hold(std::size_t bytes);
+
+    /// Executes the commands so far. What follows belongs to the same frame.
+    void flush(Cause cause);
+    /// Flush and Finish: executes the commands, and shows what was drawn to the front buffer. That
+    /// ends the frame, off screen too.
+    /// Returns whether it ended.
+    bool finish(Cause cause = Cause::Flush);
+    /// Exchanges front and back buffer; the frame is then whole, and shown.
+    void swap();
+    /// Shows the frame: to the window, or in the caller's memory.
+    virtual void present() {}
+    /// Waits until it is there.
+    virtual void wait_until_shown() {}
+    /// Executes the frame and reads a rectangle inside the drawable.
+    Readback read(Plane plane, const Rect& rect, Cause cause);
+    /// The same of depths or stencil values, into the caller's memory.
+    void read_values(Plane plane, const Rect& rect, Cause cause, std::span<std::uint32_t> values);
+    /// The colours of a buffer, whatever the read buffer is.
+    Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause);
+    /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,
+    /// B and A, if `layout` does not differ.
+    void read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
+                     std::span<std::uint32_t> pixels, ReadLayout layout = {});
+    void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
+                     ReadLayout layout = {});
+    /// Whether nobody sees it: its program may never swap.
+    virtual bool is_off_screen() const { return false; }
+
+    /// New planes of another size, cleared to 0. What was not executed yet is left out.
+    void resize(int width, int height);
+
+protected:
+    /// Shows frames from another thread.
+    struct FrameTarget {
+        std::span<std::uint32_t> pixels;  ///< the frame's colours, in `layout`
+        ReadLayout layout;
+        /// Called when they are there. Returns whether everybody sees them.
+        std::function<bool()> show;
+    };
+    /// Where the frame that ends goes; none: present() shows it. Called while nothing is executed.
+    virtual std::optional<FrameTarget> frame_target() { return std::nullopt; }
+    /// Before what frame_target() gave goes away.
+    void end_background() noexcept;
+    /// Waits until all that was swapped is executed, and shown if it can be. Throws what it threw.
+    void settle();
+
+    /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.
+    bool take_front_changed() {
+        const auto lock = exclusive();
+        return std::exchange(front_changed_, false);
+    }
+
+private:
+    void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
+    /// Reads are of this buffer from here on.
+    void select(gw::ReadBuffer buffer);
+    /// Returns whether the frame ends, off screen or because the front buffer was drawn to.
+    bool finish_execution(Cause cause);
+    void flush_swapped();
+    bool runs_behind() const;
+    /// Executes the frame and shows it while the caller goes on. Returns whether it does.
+    bool swap_behind();
+    void start_behind(FrameTarget target);
+    /// The commands that follow are those of a new frame, a pass "frame 12".
+    void end_frame();
+
+    std::recursive_mutex mutex_;
+    std::string name_;  ///< in recordings
+    int width_, height_;
+    Buffers buffers_;
+    std::unique_ptr<Machine> machine_;
+    std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
+    CollectedCommands executed_;              ///< by it
+    Frame frame_;
+    bool front_changed_ = false;
+    bool front_drawn_ = false;     ///< in this frame
+    bool is_left_unseen_ = false;  ///< by the last work of background_
+};
+
+}  // namespace gw::gl

@@ -1,0 +1,66 @@
+// The frame that is being collected for a drawable: its commands, the calls that made them, and its
+// size. Does not execute.
+#pragma once
+
+#include "gl/drawable/call_trace.h"
+#include "gw/command_list.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace gw::gl {
+
+/// Commands and the calls that made them.
+struct CollectedCommands {
+    CommandList list;
+    std::vector<CallRun> calls;  ///< empty if calls_are_kept is false
+};
+
+class Frame {
+public:
+    /// From 0.
+    std::uint64_t number() const { return number_; }
+    /// Whether it has no command yet, also none that was executed.
+    bool is_new() const { return is_new_; }
+    bool has_commands() const { return !commands_.list.commands.empty(); }
+    /// Of the commands so far; null: none has set a state.
+    const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
+
+    /// The first command begins a pass, "frame 12".
+    void add(Command command, std::span<const CallRun> calls = {});
+    /// A read of the plane's colours or values, with the key 0. Part of no frame.
+    void add_read(Plane plane, const Rect& rect, bool packed);
+    /// Commands keep so much memory besides: textures that were made for them.
+    void hold(std::size_t bytes) { bytes_ += bytes; }
+    /// Whether it has so many vertices, commands or bytes that it is executed in parts.
+    bool is_full() const;
+
+    /// Moves the commands out. What follows belongs to the same frame.
+    CollectedCommands take();
+    /// Takes back the memory of executed commands. Precondition: there are no new ones.
+    void reuse(CollectedCommands executed);
+    /// For an error while commands are executed: the machine's state is not known after it.
+    std::optional<SharedValue<gw::State>> take_state() {
+        return std::exchange(last_state_, std::nullopt);
+    }
+    void restore_state(std::optional<SharedValue<gw::State>> state) {
+        last_state_ = std::move(state);
+    }
+    /// Leaves out what was not executed. The frame keeps its number, and is new.
+    void drop();
+    /// The commands that follow are those of the next frame.
+    void end();
+
+private:
+    CollectedCommands commands_;
+    std::uint64_t vertices_ = 0;
+    std::size_t bytes_ = 0;  ///< of textures and pixels
+    std::uint64_t number_ = 0;
+    bool is_new_ = true;
+    std::optional<SharedValue<gw::State>> last_state_;
+};
+
+}  // namespace gw::gl

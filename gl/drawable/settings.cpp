@@ -1,0 +1,68 @@
+#include "gl/drawable/settings.h"
+
+#include "gw/base/leaked_static.h"
+#include "gw/error.h"
+#include "gw/profile_text.h"
+#include "gw/shown.h"
+
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace gw::gl {
+
+namespace {
+
+constexpr int most_threads = 256;
+
+void read_profile(Settings& out, const char* value) {
+    try {
+        out.profile = profile_from_text(value);
+    } catch (const Error& error) {
+        report_ignored("GW_PROFILE", value, error.what());
+    }
+}
+
+void read_threads(Settings& out, std::string_view value) {
+    int count = 0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), count);
+    if (error != std::errc() || end != value.data() + value.size() || count < 0 ||
+        count > most_threads)
+        return report_ignored("GW_THREADS", value, "expected 0 to 256 (0: all)");
+    out.threads = count;
+}
+
+void read_machine(Settings& out, std::string_view value) {
+    if (value != "fast" && value != "reference")
+        return report_ignored("GW_MACHINE", value, "expected fast or reference");
+    out.reference = value == "reference";
+}
+
+Settings read_settings() {
+    Settings out;
+    if (const char* const value = std::getenv("GW_PROFILE")) read_profile(out, value);
+    if (const char* const value = std::getenv("GW_THREADS")) read_threads(out, value);
+    if (const char* const value = std::getenv("GW_MACHINE")) read_machine(out, value);
+    return out;
+}
+
+}  // namespace
+
+const Settings& settings() {
+    static const Settings& read = leaked_static(read_settings());
+    return read;
+}
+
+void report_ignored(std::string_view variable, std::string_view value, std::string_view expected) {
+    const std::string line = "gw: " + std::string(variable) + " is '" + shown(value) + "'; " +
+                             std::string(expected) + "; it is ignored\n";
+    std::fputs(line.c_str(), stderr);
+}
+
+std::unique_ptr<Machine> make_machine(const Profile& profile, int width, int height) {
+    if (settings().reference) return make_reference(profile, width, height);
+    return make_fast(profile, width, height, {.threads = settings().threads});
+}
+
+}  // namespace gw::gl

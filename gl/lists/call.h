@@ -1,0 +1,76 @@
+// From an entry point to the call that carries it out: the current context, its open display list
+// and the rule of Begin and End are asked here, once for all functions.
+#pragma once
+
+#include "generated/gl/functions.h"
+#include "gl/api/calls.h"
+#include "gl/api/convert.h"
+#include "gl/api/kind.h"
+#include "gl/context/context.h"
+#include "gl/context/current.h"
+#include "gl/drawable/call_trace.h"
+#include "gl/lists/display_list.h"
+
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace gw::gl {
+
+namespace detail {
+
+template <auto execute>
+inline constexpr bool may_be_for_proxy = false;
+template <>
+inline constexpr bool may_be_for_proxy<execute::tex_image_1d> = true;
+template <>
+inline constexpr bool may_be_for_proxy<execute::tex_image_2d> = true;
+
+/// [GL11] 5.4: the images of proxies are set at once, while a list is open too.
+template <auto execute, class... Values>
+bool is_for_proxy(const Values&... values) {
+    if constexpr (may_be_for_proxy<execute>)
+        return is_proxy_target(std::get<0>(std::forward_as_tuple(values...)));
+    return false;
+}
+
+template <Kind kind, auto execute, class Signature>
+struct Caller;
+template <Kind kind, auto execute, class Result, class... Values>
+struct Caller<kind, execute, Result (*)(Context&, Values...)> {
+    template <class... Arguments>
+    static Result call(Function function, Arguments&&... arguments) {
+        return run(function, static_cast<std::decay_t<Values>>(arguments)...);
+    }
+
+private:
+    static Result run(Function function, const std::decay_t<Values>&... values) {
+        Context* const context = current;
+        if (context == nullptr) return Result();
+        Context& c = *context;
+        if constexpr (is_listed(kind)) {
+            if (c.lists.open && !is_for_proxy<execute>(values...)) [[unlikely]] {
+                guarded(c, [&] { c.lists.open->template add<kind, execute>(function, values...); });
+                if (c.lists.mode == GL_COMPILE) return Result();
+            }
+        }
+        if constexpr (!may_stand_inside(kind)) {
+            if (c.assembler.inside) [[unlikely]] {
+                set_error(c, GL_INVALID_OPERATION);
+                return Result();
+            }
+        }
+        return guarded(c, [&] { return execute(c, values...); });
+    }
+};
+
+}  // namespace detail
+
+/// Carries out one call of an entry point.
+template <Kind kind, auto execute, class... Arguments>
+auto call(Function function, Arguments&&... arguments) {
+    return detail::Caller<kind, execute, decltype(execute)>::call(
+        function, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace gw::gl

@@ -1,0 +1,50 @@
+// The client's state: vertex arrays and pixel storage. [GL11] 2.8, 3.6.1
+#pragma once
+
+#include <GL/gl.h>
+
+#include <array>
+#include <vector>
+
+namespace gw::gl {
+
+/// The layout of pixels in the caller's memory. [GL11] 3.6.1
+struct PixelStore {
+    bool swap_bytes = false, lsb_first = false;
+    GLint row_length = 0;  ///< pixels; 0: the width
+    GLint skip_rows = 0, skip_pixels = 0;
+    GLint alignment = 4;  ///< of rows: 1, 2, 4, 8 bytes
+};
+
+/// The arrays, in the order in which ArrayElement sends their values: the vertex last.
+enum class Array : unsigned char { EdgeFlag, TexCoord, Color, Index, Normal, Vertex };
+inline constexpr std::size_t array_count = 6;
+
+/// One vertex array, in the caller's memory.
+struct ClientArray {
+    bool enable = false;
+    GLint size = 4;
+    GLenum type = GL_FLOAT;
+    GLsizei stride = 0;  ///< as given; 0: the elements follow each other
+    const unsigned char* pointer = nullptr;
+};
+
+struct ClientState {
+    std::array<ClientArray, array_count> arrays{
+        {{.size = 1, .type = GL_UNSIGNED_BYTE}, {}, {}, {.size = 1}, {.size = 3}, {}}};
+    PixelStore pack, unpack;
+
+    ClientArray& array(Array a) { return arrays[std::size_t(a)]; }
+    const ClientArray& array(Array a) const { return arrays[std::size_t(a)]; }
+};
+
+/// The array of this name, GL_VERTEX_ARRAY and so on; null: there is none.
+ClientArray* find_array(ClientState& client, GLenum name);
+
+inline constexpr std::size_t client_stack_depth = 16;
+struct SavedClientState {
+    GLbitfield mask = 0;
+    ClientState state;
+};
+
+}  // namespace gw::gl

@@ -1,0 +1,16 @@
+// Adds vertices to the mesh that is being assembled, in place of Vertex: for arrays and evaluators.
+#pragma once
+
+#include "gl/assemble/assembly.h"
+
+#include <span>
+
+namespace gw::gl {
+
+struct Context;
+
+/// Not a finite position, or not between Begin and End: the vertex is dropped.
+void add_vertex(Context& c, AssembledVertex v);
+void add_vertices(Context& c, std::span<const AssembledVertex> added);
+
+}  // namespace gw::gl

@@ -1,0 +1,89 @@
+// RasterPos. [GL11] 2.12: a vertex that goes through the vertex and clip stages. WindowPos of
+// GL_ARB_window_pos gives window coordinates instead.
+#include "gl/api/calls.h"
+#include "gl/api/finite.h"
+#include "gl/context/context.h"
+#include "gl/draw/report.h"
+#include "gl/draw/submit.h"
+
+#include "gw/stages/clip.h"
+#include "gw/stages/resolve.h"
+#include "gw/stages/vertex.h"
+
+#include <cmath>
+
+namespace gw::gl {
+
+namespace {
+
+/// [GL11] 2.11: inside the view volume, its sides too, which the machine does not clip at. On a side
+/// is inside, although the matrices are rounded.
+bool is_inside(const Vertex& v) {
+    const dvec4& p = v.clip;
+    const double most = p.w * (1 + 0x1p-40);
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
+}
+
+/// The nearest multiple of 2^-12 pixel: a position between two pixels stays there, although the
+/// matrices are rounded. Else a bitmap may be one pixel off.
+double on_grid(double pixels) { return std::floor(pixels * 0x1p12 + 0.5) * 0x1p-12; }
+
+double eye_depth(const Context& c, const dvec4& p) {
+    const dvec4 eye = transform(c.matrices.modelview.top(), p);
+    return eye_point(eye).z;
+}
+
+}  // namespace
+
+namespace execute {
+
+void raster_pos(Context& c, double x, double y, double z, double w) {
+    CurrentState::Raster& raster = c.state.current.raster;
+    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z)) &&
+                   std::isfinite(float(w));
+    if (!raster.valid) return;
+    update_machine_state(c);
+    const gw::State& state = c.translated.state;
+    const AssembledVertex values = current_vertex(c.state.current);
+    MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
+    point.primitive = Primitive::Points;
+    const Draw draw = with_texture_coordinates(
+        make_draw(c, make_mesh(std::move(point)), values, face_materials(c)));
+    const VertexProgram program = vertex_program(state, draw, c.profile);
+    const Vertex vertex = run_vertex(program, 0);
+    const ViewportTransform viewport =
+        resolve(state, c.profile, max_window_size, max_window_size).viewport;
+    raster.valid = is_inside(vertex) && !clip({vertex}, viewport).vertices.empty();
+    if (!raster.valid) return;
+    const double n = state.depth_range.near_value, f = state.depth_range.far_value;
+    const double cw = vertex.clip.w;
+    raster.position = {on_grid((vertex.clip.x / cw) * viewport.half_width + viewport.center_x),
+                       on_grid((vertex.clip.y / cw) * viewport.half_height + viewport.center_y),
+                       (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
+    raster.distance = finite(std::abs(eye_depth(c, {x, y, z, w})));
+    const auto largest = float((1u << c.profile.color_bits) - 1);
+    for (int i = 0; i < 4; ++i) {
+        raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
+        raster.texcoord[i] = float(finite(vertex.texcoord[i]));
+    }
+    raster.index = c.state.current.index;
+    report_depth(c, raster.position.z);
+}
+
+/// No transform, no clipping, no lighting: the current values as they are.
+void window_pos(Context& c, double x, double y, double z) {
+    CurrentState::Raster& raster = c.state.current.raster;
+    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z));
+    if (!raster.valid) return;
+    const double n = c.state.viewport.near_value, f = c.state.viewport.far_value;
+    raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), 1};
+    raster.distance = 0;
+    raster.color = glm::clamp(c.state.current.color, 0.0f, 1.0f);
+    raster.texcoord = c.state.current.texcoord;
+    raster.index = c.state.current.index;
+    report_depth(c, raster.position.z);
+}
+
+}  // namespace execute
+
+}  // namespace gw::gl
