@@ -1,7 +1,7 @@
 #include "itembuffer/differences.h"
 
 #include "gw/stages/vertex.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 #include "raytrace/tracer/render.h"
 #include "scene/draw/item_buffer.h"
 #include "scene/draw/view.h"

@@ -1,7 +1,7 @@
 #include "itembuffer/render.h"
 
 #include "itembuffer/traced_component.h"
-#include "multipass/frame/pass_model.h"
+#include "multipass/steps/pass_model.h"
 #include "multipass/passes/catalogue.h"
 #include "multipass/shadow/shadow_lookup.h"
 #include "scene/draw/item_buffer.h"

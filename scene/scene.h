@@ -34,7 +34,7 @@ struct Map {
     vec2 scale{1, 1};          ///< MTL -s
     /// above 0: no file, but generated from the scene with this many texels a side [K3.1]
     int from_scene = 0;
-    TextureRef texture;  ///< null until loaded, or generated (multipass/effects/scene_maps.h)
+    TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)
 };
 
 /// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated

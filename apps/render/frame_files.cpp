@@ -10,9 +10,9 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
-#include "multipass/effects/scene_maps.h"
+#include "multipass/frame/scene_maps.h"
 #include "multipass/frame/driver.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 #include "scene/draw/draw_commands.h"
 
 #include <nlohmann/json.hpp>

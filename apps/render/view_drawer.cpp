@@ -1,7 +1,7 @@
 #include "apps/render/view_drawer.h"
 
 #include "itembuffer/render.h"
-#include "multipass/effects/scene_maps.h"
+#include "multipass/frame/scene_maps.h"
 #include "multipass/frame/driver.h"
 
 namespace gw::apps {

@@ -1,8 +1,8 @@
 #include "multipass/effects/one_winner.h"
 
 #include "gw/stages/vertex.h"
-#include "multipass/frame/commands.h"
 #include "multipass/passes/catalogue.h"
+#include "multipass/steps/commands.h"
 
 #include <glm/common.hpp>
 
@@ -165,6 +165,59 @@ void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& s
     }
 }
 
+/// The draws of an additive step with one winner per pixel, by the stencil's highest bit.
+void draw_with_one_winner(CommandList& list, const PlacedModel& placed, const Step& step,
+                          const FrameRules& rules) {
+    State state = state_of(placed, step);
+    state.stencil = taking(state.stencil, 1u << (rules.stencil_bits - 1));
+    list.add(SetState{state});
+    list.add(Clear{.planes = mask_of(Plane::Stencil)});
+    std::vector<Portion> all;
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i) all.push_back({.part = i});
+    draw_first_come(list, placed, step, state, all, rules);
+}
+
+/// Whether the step's stencil test can be narrowed to tied pixels, and to all others: it has none,
+/// or Equal on other bits. And whether the step draws only parts that were counted.
+bool can_leave_ties_out(const PlacedModel& placed, const Step& step, int stencil_bits) {
+    const StencilState& s = step.pass.stencil;
+    const bool fits =
+        !s.test || (s.func == StencilFunc::Equal && std::uint32_t(s.ref) < taken_of(stencil_bits));
+    return fits && std::none_of(placed.model->parts.begin(), placed.model->parts.end(),
+                                [&](const Part& part) {
+                                    return part.translucent && concerns(step, part, *placed.model);
+                                });
+}
+
+/// Sets the stencil's top bit on ties.
+void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
+               int stencil_bits) {
+    const std::uint32_t bit = tie_of(stencil_bits);
+    write_ties(list, placed, tied,
+               {.test = true, .ref = int(bit), .zpass = StencilOp::Replace, .write_mask = bit});
+}
+
+/// The step's test on all other pixels.
+StencilState beside_ties(StencilState stencil, int stencil_bits) {
+    if (!stencil.test) stencil = {.test = true, .func = StencilFunc::Equal, .ref = 0, .mask = 0};
+    stencil.mask |= tie_of(stencil_bits);
+    return stencil;
+}
+
+/// Draws the ties, first come first served, and clears the two top bits.
+void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
+               const FrameRules& rules) {
+    const int stencil_bits = rules.stencil_bits;
+    State state = state_of(placed, step);
+    state.stencil = taking(beside_ties(state.stencil, stencil_bits), taken_of(stencil_bits));
+    state.stencil.ref |= int(tie_of(stencil_bits));
+    draw_first_come(list, placed, step, state, rules.tied->portions, rules);
+    write_ties(list, placed, *rules.tied,
+               {.test = true,
+                .zpass = StencilOp::Zero,
+                .write_mask = tie_of(stencil_bits) | taken_of(stencil_bits)});
+}
+
 }  // namespace
 
 TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t> winners) {
@@ -210,56 +263,27 @@ std::uint64_t surplus_winners(std::span<const PassReport> reports) {
     return reports[0].counters.written - reports[1].counters.written;
 }
 
-void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
-                         const FrameRules& rules) {
+void add_step_with_one_winner(CommandList& list, const PlacedModel& placed, const Step& step,
+                              const FrameRules& rules) {
+    const bool one_winner =
+        rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
+    if (!one_winner) return add_step(list, placed, step, rules);
+    if (!is_needed(step, *placed.model)) return;
+    StateWriter states(list);
+    begin_step(list, states, placed, step, rules);
+    if (!rules.tied || !can_leave_ties_out(placed, step, rules.stencil_bits))
+        return draw_with_one_winner(list, placed, step, rules);
     State state = state_of(placed, step);
-    state.stencil = taking(state.stencil, 1u << (rules.stencil_bits - 1));
-    list.add(SetState{state});
-    list.add(Clear{.planes = mask_of(Plane::Stencil)});
-    std::vector<Portion> all;
-    for (std::size_t i = 0; i < placed.model->parts.size(); ++i) all.push_back({.part = i});
-    draw_first_come(list, placed, step, state, all, rules);
+    mark_ties(list, placed, *rules.tied, rules.stencil_bits);
+    state.stencil = beside_ties(state.stencil, rules.stencil_bits);
+    states.forget();
+    draw_step(list, states, placed, step, state, rules);
+    draw_ties(list, placed, step, rules);
 }
 
 bool can_mark_ties(const PlacedModel& placed, int stencil_bits) {
     return stencil_bits >= 3 && placed.state.shade_model == ShadeModel::Smooth &&
            placed.state.polygon_mode == PolygonMode::Fill;
-}
-
-bool can_leave_ties_out(const PlacedModel& placed, const Step& step, int stencil_bits) {
-    const StencilState& s = step.pass.stencil;
-    const bool fits =
-        !s.test || (s.func == StencilFunc::Equal && std::uint32_t(s.ref) < taken_of(stencil_bits));
-    return fits && std::none_of(placed.model->parts.begin(), placed.model->parts.end(),
-                                [&](const Part& part) {
-                                    return part.translucent && concerns(step, part, *placed.model);
-                                });
-}
-
-void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
-               int stencil_bits) {
-    const std::uint32_t bit = tie_of(stencil_bits);
-    write_ties(list, placed, tied,
-               {.test = true, .ref = int(bit), .zpass = StencilOp::Replace, .write_mask = bit});
-}
-
-StencilState beside_ties(StencilState stencil, int stencil_bits) {
-    if (!stencil.test) stencil = {.test = true, .func = StencilFunc::Equal, .ref = 0, .mask = 0};
-    stencil.mask |= tie_of(stencil_bits);
-    return stencil;
-}
-
-void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
-               const FrameRules& rules) {
-    const int stencil_bits = rules.stencil_bits;
-    State state = state_of(placed, step);
-    state.stencil = taking(beside_ties(state.stencil, stencil_bits), taken_of(stencil_bits));
-    state.stencil.ref |= int(tie_of(stencil_bits));
-    draw_first_come(list, placed, step, state, rules.tied->portions, rules);
-    write_ties(list, placed, *rules.tied,
-               {.test = true,
-                .zpass = StencilOp::Zero,
-                .write_mask = tie_of(stencil_bits) | taken_of(stencil_bits)});
 }
 
 }  // namespace gw::multipass

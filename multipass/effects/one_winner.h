@@ -12,8 +12,8 @@
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
-#include "multipass/frame/placed_model.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/placed_model.h"
+#include "multipass/steps/schedule.h"
 
 #include <cstdint>
 #include <span>
@@ -34,9 +34,10 @@ void add_winner_count(CommandList& list, const PlacedModel& placed, const FrameR
 /// those of the two passes.
 std::uint64_t surplus_winners(std::span<const PassReport> reports);
 
-/// The draws of an additive step with one winner per pixel, by the stencil's highest bit.
-void add_one_winner_step(CommandList& list, const PlacedModel& placed, const Step& step,
-                         const FrameRules& rules);
+/// The commands of one step, as add_step(). If the rules ask for one winner, an additive step of
+/// opaque parts adds once on each pixel.
+void add_step_with_one_winner(CommandList& list, const PlacedModel& placed, const Step& step,
+                              const FrameRules& rules);
 
 /// Pixels with several fragments of the nearest Z, and the triangles that may have drawn them.
 struct TiedPixels {
@@ -52,17 +53,5 @@ TiedPixels tied_pixels(const PlacedModel& placed, std::span<const std::uint32_t>
 /// Whether tied pixels can be distinguished: the stencil has two spare bits, and a triangle drawn
 /// alone has the same fragments as in its mesh.
 bool can_mark_ties(const PlacedModel& placed, int stencil_bits);
-/// Whether the step's stencil test can be narrowed to tied pixels, and to all others: it has none,
-/// or Equal on other bits. And whether the step draws only parts that were counted.
-bool can_leave_ties_out(const PlacedModel& placed, const Step& step, int stencil_bits);
-
-/// An additive step in three parts. mark_ties sets the stencil's top bit on ties. `beside_ties` is
-/// the step's test on all other pixels. draw_ties draws the ties, first come first served, and
-/// clears the two top bits.
-void mark_ties(CommandList& list, const PlacedModel& placed, const TiedPixels& tied,
-               int stencil_bits);
-StencilState beside_ties(StencilState stencil, int stencil_bits);
-void draw_ties(CommandList& list, const PlacedModel& placed, const Step& step,
-               const FrameRules& rules);
 
 }  // namespace gw::multipass

@@ -1,7 +1,7 @@
 #include "multipass/effects/translucency.h"
 
 #include "gw/error.h"
-#include "multipass/frame/commands.h"
+#include "multipass/steps/commands.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "multipass/frame/placed_model.h"
+#include "multipass/steps/placed_model.h"
 
 #include <cstdint>
 #include <vector>

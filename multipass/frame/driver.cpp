@@ -1,7 +1,7 @@
 #include "multipass/frame/driver.h"
 
-#include "multipass/effects/scene_maps.h"
 #include "multipass/frame/frame_drawer.h"
+#include "multipass/frame/scene_maps.h"
 #include "multipass/frame/superpose.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "multipass/frame/frame.h"
 
+#include "multipass/effects/one_winner.h"
 #include "multipass/shadow/shadow_passes.h"
 
 #include <algorithm>
@@ -79,7 +80,7 @@ void add_steps(CommandList& list, const Frame& frame, std::size_t first, std::si
         switch (step.pass.action) {
             case PassAction::Draw:
                 drawn = drawn || draws(step, model);
-                add_step(list, frame.placed, step, frame.rules);
+                add_step_with_one_winner(list, frame.placed, step, frame.rules);
                 break;
             case PassAction::Shadow: add_shadow(list, frame, i); break;
             case PassAction::Add:

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "gw/command_list.h"
-#include "multipass/frame/commands.h"
-#include "multipass/frame/placed_model.h"
-#include "multipass/passes/schedule.h"
 #include "multipass/shadow/shadows.h"
+#include "multipass/steps/commands.h"
+#include "multipass/steps/placed_model.h"
+#include "multipass/steps/schedule.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
 #include "gw/stages/accumulation.h"
-#include "multipass/frame/commands.h"
+#include "multipass/steps/commands.h"
 
 #include <fmt/format.h>
 

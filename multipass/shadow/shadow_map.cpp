@@ -3,9 +3,9 @@
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
 #include "gw/stages/vertex.h"
-#include "multipass/frame/commands.h"
-#include "multipass/frame/placed_model.h"
 #include "multipass/passes/catalogue.h"
+#include "multipass/steps/commands.h"
+#include "multipass/steps/placed_model.h"
 #include "scene/draw/draw_commands.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 
 #include "gw/command_list.h"
 #include "gw/machine.h"
-#include "multipass/frame/pass_model.h"
+#include "multipass/steps/pass_model.h"
 #include "scene/draw/view.h"
 #include "scene/geometry/world_triangles.h"
 

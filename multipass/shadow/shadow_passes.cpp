@@ -1,6 +1,6 @@
 #include "multipass/shadow/shadow_passes.h"
 
-#include "multipass/frame/commands.h"
+#include "multipass/steps/commands.h"
 
 #include <algorithm>
 

@@ -18,8 +18,8 @@
 
 #include "gw/command_list.h"
 #include "gw/counters.h"
-#include "multipass/frame/placed_model.h"
 #include "multipass/shadow/shadow_volume.h"
+#include "multipass/steps/placed_model.h"
 
 #include <span>
 #include <string>

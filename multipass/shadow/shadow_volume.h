@@ -9,9 +9,9 @@
 // that cancel have no side between them.
 #pragma once
 
-#include "multipass/frame/pass_model.h"
 #include "multipass/shadow/far_cap.h"
 #include "multipass/shadow/topology.h"
+#include "multipass/steps/pass_model.h"
 #include "scene/draw/view.h"
 
 #include <vector>

@@ -4,10 +4,10 @@
 
 #include "gw/machine.h"
 #include "gw/mesh.h"
-#include "multipass/frame/pass_model.h"
 #include "multipass/shadow/shadow_map.h"
 #include "multipass/shadow/shadow_volume.h"
 #include "multipass/shadow/topology.h"
+#include "multipass/steps/pass_model.h"
 #include "scene/draw/view.h"
 
 #include <cstdint>

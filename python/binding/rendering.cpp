@@ -7,7 +7,7 @@
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "multipass/frame/superpose.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 #include "multipass/passes/validate_passes.h"
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"

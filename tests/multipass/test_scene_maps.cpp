@@ -1,6 +1,6 @@
 // Reflection and refraction maps generated from the scene [K3.1], against directions worked out by
 // hand.
-#include "multipass/effects/scene_maps.h"
+#include "multipass/frame/scene_maps.h"
 
 #include "multipass/frame/driver.h"
 #include "tests/multipass/scenes.h"

@@ -1,5 +1,5 @@
 // Pass lists and schedules: which passes run, how often, and who takes part.
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 
 #include "gw/error.h"
 #include "multipass/frame/driver.h"

@@ -4,7 +4,7 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
-#include "multipass/effects/scene_maps.h"
+#include "multipass/frame/scene_maps.h"
 #include "multipass/passes/pass_toml.h"
 #include "scene/draw/fit.h"
 #include "web/engine/rgba.h"

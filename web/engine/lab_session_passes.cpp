@@ -7,7 +7,7 @@
 #include "inspect/replay/pixel_history.h"
 #include "inspect/report/prices.h"
 #include "multipass/passes/pass_toml.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 #include "web/engine/lab_session.h"
 #include "web/engine/rgba.h"
 

@@ -1,9 +1,9 @@
-#include "multipass/effects/scene_maps.h"
+#include "multipass/frame/scene_maps.h"
 
 #include "gw/base/arithmetic.h"
-#include "multipass/frame/commands.h"
 #include "multipass/frame/frame_drawer.h"
 #include "multipass/frame/superpose.h"
+#include "multipass/steps/commands.h"
 
 #include <glm/matrix.hpp>
 

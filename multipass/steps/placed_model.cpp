@@ -1,4 +1,4 @@
-#include "multipass/frame/placed_model.h"
+#include "multipass/steps/placed_model.h"
 
 #include "gw/stages/texgen.h"
 #include "gw/stages/vertex.h"

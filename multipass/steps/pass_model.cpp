@@ -1,4 +1,4 @@
-#include "multipass/frame/pass_model.h"
+#include "multipass/steps/pass_model.h"
 
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/shading.h"

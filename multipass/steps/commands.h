@@ -1,16 +1,19 @@
 // From steps to commands: the state, the clear and the draws of one run of a pass. Does not choose
-// the passes and does not find shadows.
+// the passes, finds no shadows, and adds coincident faces each (effects/one_winner.h).
 #pragma once
 
 #include "gw/command_list.h"
 #include "gw/profile.h"
-#include "multipass/effects/one_winner.h"
-#include "multipass/frame/placed_model.h"
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/placed_model.h"
+#include "multipass/steps/schedule.h"
 
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace gw::multipass {
+
+struct TiedPixels;
 
 /// Rules for all passes of a frame.
 struct FrameRules {
@@ -33,8 +36,31 @@ void cut_if_long(CommandList& list, const FrameRules& rules);
 /// BeginPass and SetState.
 void begin_pass(CommandList& list, const std::string& name, const State& state = {});
 
-/// The commands of one step: BeginPass, SetState, Clear, Draw. A step that draws no part and clears
-/// nothing has none.
+/// SetState if it differs from the one before.
+class StateWriter {
+public:
+    explicit StateWriter(CommandList& list) : list_(&list) {}
+    void set(const State& state) {
+        if (last_ && *last_ == state) return;
+        list_->add(SetState{state});
+        last_ = state;
+    }
+    /// Others have set it.
+    void forget() { last_.reset(); }
+
+private:
+    CommandList* list_;
+    std::optional<State> last_;
+};
+
+/// BeginPass, and the step's Clear with its state.
+void begin_step(CommandList& list, StateWriter& states, const PlacedModel& placed, const Step& step,
+                const FrameRules& rules);
+/// The draws of a step, with a state that has no texture yet.
+void draw_step(CommandList& list, StateWriter& states, const PlacedModel& placed, const Step& step,
+               State state, const FrameRules& rules);
+
+/// The commands of one step: both of these. A step that draws no part and clears nothing has none.
 void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
               const FrameRules& rules);
 

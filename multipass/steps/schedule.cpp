@@ -1,4 +1,4 @@
-#include "multipass/passes/schedule.h"
+#include "multipass/steps/schedule.h"
 
 #include "multipass/passes/catalogue.h"
 #include "scene/draw/draw_commands.h"

@@ -1,6 +1,4 @@
-#include "multipass/frame/commands.h"
-
-#include "multipass/effects/one_winner.h"
+#include "multipass/steps/commands.h"
 
 #include <utility>
 
@@ -24,23 +22,6 @@ void set_fog(State& state, PassFog fog, const scene::Scene& scene) {
                  .end = f.end,
                  .color = vec4(color, 1)};
 }
-
-/// SetState if it differs from the one before.
-class StateWriter {
-public:
-    explicit StateWriter(CommandList& list) : list_(&list) {}
-    void set(const State& state) {
-        if (last_ && *last_ == state) return;
-        list_->add(SetState{state});
-        last_ = state;
-    }
-    /// Others have set it.
-    void forget() { last_.reset(); }
-
-private:
-    CommandList* list_;
-    std::optional<State> last_;
-};
 
 /// Whole parts, or pieces from far to near if a translucent pass needs an order.
 std::vector<Portion> portions(const PlacedModel& placed, const Step& step) {
@@ -128,37 +109,34 @@ Draw black_draw(const PlacedModel& placed, const Portion& portion) {
     return draw;
 }
 
-void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
-              const FrameRules& rules) {
-    if (!is_needed(step, *placed.model)) return;
+void begin_step(CommandList& list, StateWriter& states, const PlacedModel& placed, const Step& step,
+                const FrameRules& rules) {
     list.add(BeginPass{.name = name_of(step, *placed.model)});
-    StateWriter states(list);
-    State state = state_of(placed, step);
-    if (step.pass.clear) {
-        State all = state;
-        all.color_mask = {};
-        all.depth.mask = true;
-        all.stencil.write_mask = ~0u;
-        states.set(all);
-        list.add(Clear{.planes = step.pass.clear, .color = vec4(rules.background, 1)});
-    }
-    const bool one_winner =
-        rules.one_winner && is_additive(step.pass) && step.pass.objects != PassObjects::Translucent;
-    const bool by_ties =
-        one_winner && rules.tied && can_leave_ties_out(placed, step, rules.stencil_bits);
-    if (one_winner && !by_ties) return add_one_winner_step(list, placed, step, rules);
-    if (by_ties) {
-        mark_ties(list, placed, *rules.tied, rules.stencil_bits);
-        state.stencil = beside_ties(state.stencil, rules.stencil_bits);
-        states.forget();
-    }
+    if (!step.pass.clear) return;
+    State all = state_of(placed, step);
+    all.color_mask = {};
+    all.depth.mask = true;
+    all.stencil.write_mask = ~0u;
+    states.set(all);
+    list.add(Clear{.planes = step.pass.clear, .color = vec4(rules.background, 1)});
+}
+
+void draw_step(CommandList& list, StateWriter& states, const PlacedModel& placed, const Step& step,
+               State state, const FrameRules& rules) {
     for (const Portion& portion : portions(placed, step)) {
         state.texture = lookup_of(placed, step, portion.part);
         states.set(state);
         list.add(draw_of(placed, step, portion));
         cut_if_long(list, rules);
     }
-    if (by_ties) draw_ties(list, placed, step, rules);
+}
+
+void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
+              const FrameRules& rules) {
+    if (!is_needed(step, *placed.model)) return;
+    StateWriter states(list);
+    begin_step(list, states, placed, step, rules);
+    draw_step(list, states, placed, step, state_of(placed, step), rules);
 }
 
 }  // namespace gw::multipass

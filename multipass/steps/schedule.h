@@ -2,8 +2,8 @@
 // draw.
 #pragma once
 
-#include "multipass/frame/pass_model.h"
 #include "multipass/passes/pass.h"
+#include "multipass/steps/pass_model.h"
 
 #include <optional>
 #include <string>

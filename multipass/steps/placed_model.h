@@ -2,7 +2,7 @@
 // share. Does not choose passes and makes no commands.
 #pragma once
 
-#include "multipass/frame/pass_model.h"
+#include "multipass/steps/pass_model.h"
 #include "scene/draw/view.h"
 
 #include <cstdint>
