@@ -2,7 +2,7 @@
 
 #include "apps/render/renderers.h"
 #include "gw/profile.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <CLI/CLI.hpp>
 

@@ -6,7 +6,7 @@
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "gw/error.h"
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "hiddensurface/quiz/quiz.h"
 #include "hiddensurface/run/estimate.h"
 

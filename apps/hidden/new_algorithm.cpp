@@ -3,7 +3,7 @@
 #include "apps/hidden/new_algorithm.h"
 #include "apps/command/terminal.h"
 #include "gw/error.h"
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "image/write.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -24,7 +24,7 @@ namespace {
 /// docs/lecture.md shows it; every `mine` becomes the name.
 constexpr std::string_view listing =
     R"listing(// Draws nearest first, and so shows what is farthest.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <algorithm>
 #include <numeric>

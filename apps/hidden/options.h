@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/render/picture_options.h"
-#include "hiddensurface/run/steps.h"
+#include "hiddensurface/interface/steps.h"
 #include "image/output/output_set.h"
 
 namespace gw::apps {

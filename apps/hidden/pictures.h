@@ -4,10 +4,10 @@
 #pragma once
 
 #include "apps/hidden/lettering.h"
-#include "hiddensurface/model/flat_colors.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/faces/flat_colors.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/interface/steps.h"
 #include "hiddensurface/run/compare.h"
-#include "hiddensurface/run/steps.h"
 
 #include <map>
 

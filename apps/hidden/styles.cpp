@@ -1,5 +1,5 @@
 // gw styles: one scene in six styles [L1 a to f], as one figure.
-#include "hiddensurface/run/styles.h"
+#include "hiddensurface/interface/styles.h"
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/pictures.h"

@@ -3,7 +3,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "image/output/output_set.h"
 
 #include <CLI/CLI.hpp>

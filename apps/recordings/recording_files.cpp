@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "gw/error.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "inspect/report/report.h"
 #include "scene/draw/draw_commands.h"

@@ -3,8 +3,8 @@
 #include "apps/view/viewer.h"
 #include "gw/base/elementary.h"
 #include "gw/error.h"
-#include "hiddensurface/lines/line_algorithm.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "inspect/replay/pixel_history.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Rendering on the machine: multipass, itembuffer, raytrace, hiddensurface, radiosity.
 #include "bench/folders/fig9.h"
-#include "hiddensurface/run/algorithm.h"
-#include "hiddensurface/run/steps.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/interface/steps.h"
 #include "itembuffer/render.h"
 #include "radiosity/solver/solver.h"
 #include "raytrace/tracer/render.h"

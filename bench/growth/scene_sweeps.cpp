@@ -1,5 +1,5 @@
 #include "bench/growth/sweep.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "multipass/frame/driver.h"
 #include "multipass/shadow/topology.h"
 #include "radiosity/model/figures.h"

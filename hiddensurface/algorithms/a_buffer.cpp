@@ -13,8 +13,8 @@
 //
 // Ours: points at multiples of 1/8 and 1/4 of a pixel, so that one is its middle. At the middle,
 // the exact planes decide.
-#include "hiddensurface/model/face.h"
-#include "hiddensurface/structures/scan_conversion.h"
+#include "hiddensurface/faces/face.h"
+#include "hiddensurface/model/scan_conversion.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,8 +1,8 @@
 // Back-face culling alone [L3]: draws every polygon that faces the eye, in the scene's order. Right
 // for one convex object. If there are several, or a concave one, the polygon drawn last is seen, not
 // the nearest.
+#include "hiddensurface/interface/algorithm.h"
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/run/algorithm.h"
 
 namespace gw::hiddensurface {
 namespace {

@@ -10,7 +10,7 @@
 // complexity.
 //
 // Ours: pixels instead of points of the line; the implied edge by halving.
-#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/faces/active_faces.h"
 
 #include <algorithm>
 

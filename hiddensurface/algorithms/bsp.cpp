@@ -1,5 +1,5 @@
 // The BSP tree's order [L5]: the tree knows no eye; the eye's side of each plane gives the order.
-#include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/faces/world_piece.h"
 
 #include <numeric>
 

@@ -11,10 +11,10 @@
 //
 // Ours: rectangle and nearest depth of a cube instead of its faces; polygons across a cube's middle
 // planes stay in the cube.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
-#include "hiddensurface/structures/scan_conversion.h"
 
 #include <algorithm>
 

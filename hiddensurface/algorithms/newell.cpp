@@ -4,8 +4,8 @@
 // polygons: a polygon whose corners are not in one plane counts as the triangles that the machine
 // draws. Extents and projections are compared in the window, after perspective; the sides of planes,
 // and cuts, in the world. All of it is decided before the snap, which bends polygons.
+#include "hiddensurface/faces/world_piece.h"
 #include "hiddensurface/lines/world_lines.h"
-#include "hiddensurface/model/world_piece.h"
 #include "hiddensurface/structures/merge_sort.h"
 
 #include <algorithm>

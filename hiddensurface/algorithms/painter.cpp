@@ -3,7 +3,7 @@
 //
 // Does not claim to be right: the distance of one point does not always say which polygon hides
 // which. Never splits.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "hiddensurface/structures/merge_sort.h"
 
 #include <algorithm>

@@ -12,8 +12,8 @@
 // list, so work grows with the surfaces open at once.
 //
 // Ours: both ends of a surface on every line are computed ahead, since cuts lie between pixels.
-#include "hiddensurface/model/world_piece.h"
-#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/faces/active_faces.h"
+#include "hiddensurface/faces/world_piece.h"
 
 #include <algorithm>
 #include <numeric>

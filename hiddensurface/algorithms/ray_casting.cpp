@@ -1,7 +1,7 @@
 // Ray casting [L9]: the nearest intersection of the ray through every pixel, by brute force. It
 // works after perspective: on the window grid all lines of sight are parallel to z. No reflection:
 // raytrace/ follows rays further.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "raytrace/casting/intersect.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The scan-line algorithm [L6]: draws its visible spans. Beside the edge table it remembers one
 // line.
-#include "hiddensurface/structures/visible_spans.h"
+#include "hiddensurface/faces/visible_spans.h"
 
 namespace gw::hiddensurface {
 namespace {

@@ -12,7 +12,7 @@
 // clusters have at most 512 faces, except convex solids, whose outer sides come before all inner ones.
 //
 // Ours: both sides of every face, since the machine draws both.
-#include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/faces/world_piece.h"
 #include "hiddensurface/structures/clusters.h"
 
 namespace gw::hiddensurface {

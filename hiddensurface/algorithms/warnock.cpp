@@ -8,7 +8,7 @@
 // Does not claim: to find edges finer than a pixel (Warnock's line drawings went on below), or few
 // windows if coplanar faces overlap or faces pierce: along those lines all windows are pixels.
 // Work grows with the length of the visible edges, not with the square of the faces.
-#include "hiddensurface/model/face.h"
+#include "hiddensurface/faces/face.h"
 
 #include <algorithm>
 #include <functional>

@@ -12,7 +12,7 @@
 // Ours: pixels. The two ends of a face are one segment, while Watkins joined edges; a guess too
 // short is joined to its neighbour. Watkins halves a span that is not simple. Here the span ends at
 // the pixel where another segment comes into view; halving finds it.
-#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/faces/active_faces.h"
 
 #include <algorithm>
 

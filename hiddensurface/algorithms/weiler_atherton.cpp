@@ -13,8 +13,8 @@
 // quadratic in the visible ones. (For 76,460 polygons of scenes/fig9.toml in 320 x 240: 983 million
 // boxes, 435 thousand polygons clipped.) The paper sorts the scene into a coarse raster first; that
 // is left out. Clip polygons are convex here: faces.
+#include "hiddensurface/faces/region.h"
 #include "hiddensurface/structures/merge_sort.h"
-#include "hiddensurface/structures/region.h"
 
 #include <algorithm>
 #include <cmath>

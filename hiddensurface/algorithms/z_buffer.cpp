@@ -1,7 +1,7 @@
 // The Z-buffer [L8]: the machine's own. The list draws the scene's meshes. The step log and the
 // comparisons are computed beside it, by scan conversion and increments of z, and agree with it.
-#include "hiddensurface/run/algorithm.h"
-#include "hiddensurface/structures/scan_conversion.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "scene/draw/draw_commands.h"
 
 namespace gw::hiddensurface {

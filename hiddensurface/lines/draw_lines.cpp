@@ -1,6 +1,6 @@
 #include "hiddensurface/lines/draw_lines.h"
 
-#include "hiddensurface/run/styles.h"
+#include "hiddensurface/interface/styles.h"
 
 namespace gw::hiddensurface {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

@@ -2,7 +2,7 @@
 // Does not draw.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

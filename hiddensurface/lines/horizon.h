@@ -1,7 +1,7 @@
 // A horizon: the highest (or lowest) v so far over u, linear in pieces. Does not project lines.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

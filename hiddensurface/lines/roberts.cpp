@@ -16,7 +16,7 @@
 // hidden parts are right, but the lines in which they pierce are not drawn (Petty and Mach added
 // them in 1977).
 // Decides in the world, before the snap.
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "hiddensurface/lines/world_lines.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"

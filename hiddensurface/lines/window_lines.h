@@ -3,7 +3,7 @@
 // question below has an exact answer. Does not hide anything.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

@@ -1,7 +1,7 @@
 #include "hiddensurface/model/piece.h"
 
 #include "hiddensurface/model/normal.h"
-#include "hiddensurface/structures/scan_conversion.h"
+#include "hiddensurface/model/scan_conversion.h"
 
 #include <algorithm>
 #include <cmath>

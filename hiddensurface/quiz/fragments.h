@@ -4,7 +4,7 @@
 // skipped. Does not draw.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <string_view>
 

@@ -3,7 +3,7 @@
 // apps/hidden/quiz/grade.cpp does.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <optional>
 

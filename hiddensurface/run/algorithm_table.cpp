@@ -1,6 +1,6 @@
 // All algorithms: the lecture's order [L3, L5, L6, L8, L9], then the classics by year. Each is defined
 // in algorithms/NAME.cpp. A file there that is not named here is a user's own, and comes last.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <own_algorithms.h>  // written by CMake
 

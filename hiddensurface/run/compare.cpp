@@ -1,8 +1,8 @@
 #include "hiddensurface/run/compare.h"
 
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/bsp_tree.h"
-#include "hiddensurface/structures/scan_conversion.h"
 #include "scene/draw/draw_commands.h"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/machine.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <map>
 

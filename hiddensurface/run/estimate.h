@@ -4,7 +4,7 @@
 // and does not know the cost of the picture's pixels.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

@@ -1,7 +1,7 @@
 #include "hiddensurface/run/play.h"
 
 #include "gw/error.h"
-#include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/faces/world_piece.h"
 #include "hiddensurface/run/read_step.h"
 #include "hiddensurface/run/step_words.h"
 #include "scene/text/suggest.h"

@@ -2,9 +2,9 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/stages/vertex.h"
+#include "hiddensurface/faces/visible_spans.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/polygon.h"
-#include "hiddensurface/structures/visible_spans.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/shading.h"
 #include "scene/geometry/world_triangles.h"

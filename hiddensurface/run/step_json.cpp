@@ -1,7 +1,7 @@
 #include "hiddensurface/run/step_json.h"
 
-#include "hiddensurface/model/face.h"
-#include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/faces/face.h"
+#include "hiddensurface/faces/world_piece.h"
 #include "hiddensurface/run/step_words.h"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 // not read steps (read_step.h) or write files.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 #include <map>
 

@@ -1,8 +1,8 @@
 // Drawings of pieces and of lines as SVG. Does not cut pieces or hide lines.
 #pragma once
 
-#include "hiddensurface/lines/line_algorithm.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 namespace gw::hiddensurface {
 

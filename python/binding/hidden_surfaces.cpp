@@ -1,6 +1,6 @@
 // The lecture's hidden-surface algorithms with their steps, and algorithms written in Python.
-#include "hiddensurface/model/flat_colors.h"
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/faces/flat_colors.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "hiddensurface/run/compare.h"
 #include "hiddensurface/run/estimate.h"
 #include "hiddensurface/run/play.h"

@@ -1,5 +1,5 @@
 // Draws nearest first, and so shows what is farthest.
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,10 +1,10 @@
 // Claims: the lecture's building blocks are exact: normal, view test, edges, depth. [L3, L4, L7,
 // L8]
-#include "hiddensurface/model/flat_colors.h"
+#include "hiddensurface/faces/flat_colors.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/merge_sort.h"
-#include "hiddensurface/structures/scan_conversion.h"
 #include "scene/scene_builder.h"
 #include "tests/hiddensurface/cases.h"
 

@@ -1,10 +1,10 @@
 // Claims: what the classical algorithms are built of is exact, and each does what it is known for:
 // what it saves, in counts.
-#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/faces/active_faces.h"
+#include "hiddensurface/faces/region.h"
 #include "hiddensurface/structures/clusters.h"
 #include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
-#include "hiddensurface/structures/region.h"
 #include "scene/shapes/shapes.h"
 #include "tests/hiddensurface/small_families.h"
 

@@ -8,8 +8,8 @@
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/lines/horizon.h"
 #include "hiddensurface/model/normal.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/run/read_step.h"
-#include "hiddensurface/structures/scan_conversion.h"
 #include "test_paths.h"
 #include "tests/hiddensurface/families.h"
 

@@ -2,7 +2,7 @@
 // is right by a second way of finding it; a fragment list is graded as its mistakes were made;
 // malformed lists name line and expectation.
 #include "gw/error.h"
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"

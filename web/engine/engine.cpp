@@ -1,6 +1,6 @@
 // The engine's door to JavaScript (Embind). A method answers text; a refusal is {"error": why}.
 #include "gw/error.h"
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 #include "web/engine/lab_session.h"
 
 #include <emscripten/bind.h>

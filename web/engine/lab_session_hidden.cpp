@@ -1,7 +1,7 @@
 // Hidden-surface and hidden-line algorithms, step by step.
 #include "gw/error.h"
+#include "hiddensurface/faces/flat_colors.h"
 #include "hiddensurface/lines/draw_lines.h"
-#include "hiddensurface/model/flat_colors.h"
 #include "hiddensurface/run/estimate.h"
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"

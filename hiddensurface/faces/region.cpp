@@ -1,4 +1,4 @@
-#include "hiddensurface/structures/region.h"
+#include "hiddensurface/faces/region.h"
 
 #include <algorithm>
 #include <array>

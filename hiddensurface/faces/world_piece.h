@@ -2,7 +2,7 @@
 // between pixels, so every polygon keeps its pixels. Does not build trees.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 #include "hiddensurface/structures/bsp_tree.h"
 
 namespace gw::hiddensurface {

@@ -1,7 +1,7 @@
 // A colour for each polygon of a hidden-surface picture. Does not draw.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include <array>
 #include <map>

@@ -1,7 +1,7 @@
-#include "hiddensurface/structures/visible_spans.h"
+#include "hiddensurface/faces/visible_spans.h"
 
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/merge_sort.h"
-#include "hiddensurface/structures/scan_conversion.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "hiddensurface/lines/line_algorithm.h"
+#include "hiddensurface/interface/line_algorithm.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // or at both ends of a span, holds in between. Does not draw.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 namespace gw::hiddensurface {
 

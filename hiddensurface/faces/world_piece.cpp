@@ -1,4 +1,4 @@
-#include "hiddensurface/model/world_piece.h"
+#include "hiddensurface/faces/world_piece.h"
 
 #include "hiddensurface/model/normal.h"
 

@@ -1,4 +1,4 @@
-#include "hiddensurface/model/flat_colors.h"
+#include "hiddensurface/faces/flat_colors.h"
 
 #include "gw/base/arithmetic.h"
 #include "hiddensurface/model/normal.h"

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "gw/command_list.h"
+#include "hiddensurface/interface/steps.h"
 #include "hiddensurface/model/piece.h"
-#include "hiddensurface/run/steps.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "hiddensurface/structures/scan_conversion.h"
+#include "hiddensurface/model/scan_conversion.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "hiddensurface/structures/active_faces.h"
+#include "hiddensurface/faces/active_faces.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "hiddensurface/model/face.h"
+#include "hiddensurface/faces/face.h"
 
 #include <algorithm>
 #include <array>

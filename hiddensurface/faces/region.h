@@ -5,7 +5,7 @@
 // on a line, and no side on another. Does not know depth.
 #pragma once
 
-#include "hiddensurface/model/face.h"
+#include "hiddensurface/faces/face.h"
 
 namespace gw::hiddensurface {
 

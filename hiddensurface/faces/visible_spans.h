@@ -3,7 +3,7 @@
 // line at a time. Does not draw.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 namespace gw::hiddensurface {
 

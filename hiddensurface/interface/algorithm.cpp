@@ -1,4 +1,4 @@
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 #include "gw/error.h"
 

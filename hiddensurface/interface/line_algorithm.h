@@ -3,7 +3,7 @@
 // name in this folder. Does not draw: lines/draw_lines.h does.
 #pragma once
 
-#include "hiddensurface/run/algorithm.h"
+#include "hiddensurface/interface/algorithm.h"
 
 namespace gw::hiddensurface {
 

@@ -3,9 +3,9 @@
 // depths.
 #pragma once
 
-#include "hiddensurface/model/face.h"
+#include "hiddensurface/faces/face.h"
+#include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/merge_sort.h"
-#include "hiddensurface/structures/scan_conversion.h"
 
 #include <memory>
 

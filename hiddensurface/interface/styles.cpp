@@ -1,4 +1,4 @@
-#include "hiddensurface/run/styles.h"
+#include "hiddensurface/interface/styles.h"
 
 #include "scene/draw/draw_commands.h"
 

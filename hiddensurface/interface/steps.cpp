@@ -1,4 +1,4 @@
-#include "hiddensurface/run/steps.h"
+#include "hiddensurface/interface/steps.h"
 
 #include "gw/base/cancel.h"
 #include "gw/error.h"
