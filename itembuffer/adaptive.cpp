@@ -4,7 +4,7 @@
 #include "multipass/frame/samples.h"
 #include "scene/draw/item_buffer.h"
 #include "scene/draw/view.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include <algorithm>
 #include <optional>

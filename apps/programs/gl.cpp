@@ -8,7 +8,7 @@
 #include "gw/profile_text.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
-#include "scene/read_profile.h"
+#include "scene/toml/read_profile.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -10,8 +10,8 @@
 #include "image/textures.h"
 #include "multipass/frame/superpose.h"
 #include "multipass/passes/pass_toml.h"
-#include "scene/read_profile.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_profile.h"
+#include "scene/toml/read_scene.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

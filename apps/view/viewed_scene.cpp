@@ -1,6 +1,6 @@
 #include "apps/view/viewed_scene.h"
 
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 namespace gw::apps {
 namespace {

@@ -5,7 +5,7 @@
 #include "image/textures.h"
 #include "multipass/frame/driver.h"
 #include "scene/draw/fit.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <string>
 

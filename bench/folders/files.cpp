@@ -1,6 +1,6 @@
 // Reading and writing files: scene, image, plot.
 #include "image/write.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "study/plot/plot.h"
 
 #include <benchmark/benchmark.h>

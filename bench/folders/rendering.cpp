@@ -6,7 +6,7 @@
 #include "radiosity/solver/solver.h"
 #include "raytrace/tracer/render.h"
 #include "raytrace/tracer/world.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "bench/growth/sweep.h"
 #include "gw/error.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -6,8 +6,8 @@
 #include "raytrace/tracer/world.h"
 #include "scene/draw/fit.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/read_scene.h"
 #include "scene/shapes/shapes.h"
+#include "scene/toml/read_scene.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

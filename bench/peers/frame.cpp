@@ -5,7 +5,7 @@
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/fit.h"
 #include "scene/draw/view.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <array>
 #include <cmath>

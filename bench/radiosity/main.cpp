@@ -8,7 +8,7 @@
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "radiosity/solver/solver.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "study/plot/plot.h"
 
 #ifdef GW_WITH_EMBREE

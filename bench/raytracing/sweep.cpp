@@ -4,8 +4,8 @@
 #include "image/textures.h"
 #include "raytrace/tracer/traced_material.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/read_scene.h"
 #include "scene/scene_builder.h"
+#include "scene/toml/read_scene.h"
 #include "scene/toml/shape_table.h"
 
 #include <fmt/format.h>

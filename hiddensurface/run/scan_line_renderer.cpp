@@ -7,7 +7,7 @@
 #include "hiddensurface/model/polygon.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/shading.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 namespace gw::hiddensurface {
 namespace {

@@ -5,7 +5,7 @@
 #include "gw/profile.h"
 #include "multipass/shadow/shadow_map.h"
 #include "scene/draw/view.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include <cstdint>
 #include <vector>

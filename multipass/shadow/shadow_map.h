@@ -15,7 +15,7 @@
 #include "gw/machine.h"
 #include "multipass/steps/pass_model.h"
 #include "scene/draw/view.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include <cstdint>
 #include <vector>

@@ -4,7 +4,7 @@
 #include "multipass/passes/pass_toml.h"
 #include "python/binding/fields.h"
 #include "python/binding/module.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 namespace pybind11::detail {
 

@@ -7,8 +7,8 @@
 #include "python/binding/module.h"
 #include "python/binding/running.h"
 #include "scene/draw/fit.h"
-#include "scene/read_scene.h"
 #include "scene/scene_builder.h"
+#include "scene/toml/read_scene.h"
 
 #include <fmt/format.h>
 

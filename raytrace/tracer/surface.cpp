@@ -1,7 +1,7 @@
 #include "raytrace/tracer/surface.h"
 
 #include "gw/stages/vertex.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include <algorithm>
 

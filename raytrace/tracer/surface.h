@@ -4,7 +4,7 @@
 #include "raytrace/casting/ray.h"
 #include "scene/draw/shading.h"
 #include "scene/draw/view.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 namespace gw::raytrace {
 

@@ -9,7 +9,7 @@
 
 #include "raytrace/casting/ray.h"
 #include "raytrace/hierarchy/hierarchy.h"
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include <optional>
 

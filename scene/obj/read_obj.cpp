@@ -1,7 +1,7 @@
 #include "scene/obj/read_obj.h"
 
 #include "scene/geometry/far.h"
-#include "scene/geometry/normals.h"
+#include "scene/obj/normals.h"
 #include "scene/obj/obj_data.h"
 #include "scene/obj/obj_tokens.h"
 #include "scene/obj/read_mtl.h"

@@ -2,7 +2,7 @@
 // key. Objects, which read files, are in toml_objects.h.
 #pragma once
 
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "scene/toml/toml_binder.h"
 
 namespace gw::scene {

@@ -2,7 +2,7 @@
 // its camera, lights and fog. docs/scenes.md, "Views", has every key. Does not draw.
 #pragma once
 
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Any bytes as an OBJ file; the bytes after the line "#mtl" are the MTL file m.mtl beside it.
 // Claim: reading ends with a scene or with an Error of one line.
 #include "gw/error.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "tests/fuzzers/scene_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

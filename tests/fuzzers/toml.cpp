@@ -1,6 +1,6 @@
 // Any bytes as a TOML scene. Claim: reading ends with a scene or with an Error of one line.
 #include "gw/error.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "tests/fuzzers/scene_folder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -4,7 +4,7 @@
 #include "hiddensurface/run/compare.h"
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/fit.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 
 #include <random>

@@ -3,7 +3,7 @@
 
 #include "itembuffer/superposed_ray_tracer.h"
 #include "scene/draw/item_buffer.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 #include "tests/raytrace/walls.h"
 

@@ -7,7 +7,7 @@
 #include "itembuffer/traced_component.h"
 #include "multipass/frame/samples.h"
 #include "raytrace/tracer/render.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 #include "tests/raytrace/walls.h"
 

@@ -1,7 +1,7 @@
 // Attribute mapping [K3.1]: a map of its own for each component of one object, from MTL and from
 // TOML, each component's image being the map times what the light sends.
 #include "multipass/frame/driver.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>

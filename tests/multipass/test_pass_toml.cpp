@@ -5,7 +5,7 @@
 #include "gw/error.h"
 #include "multipass/frame/driver.h"
 #include "multipass/passes/catalogue.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "tests/multipass/scenes.h"
 
 #include <gtest/gtest.h>

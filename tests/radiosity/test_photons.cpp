@@ -1,6 +1,6 @@
 // [F] The Cornell box against a light tracer: mean irradiances.
 #include "radiosity/solver/solver.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 #include "tests/radiosity/photons.h"
 #include "tests/radiosity/scenes.h"

@@ -2,7 +2,7 @@
 // brute force finds, with fewer tests.
 #include "raytrace/casting/cast_picture.h"
 
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 
 #include <gtest/gtest.h>

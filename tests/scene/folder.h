@@ -4,7 +4,7 @@
 
 #include "gw/error.h"
 #include "scene/obj/read_obj.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include "tests/temporary_folder.h"
 

@@ -1,6 +1,6 @@
 // The Cornell box's colours are derived from the measured reflectances; scenes/models/cornell.obj
 // names their source.
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // glossy.
 #include "gw/machine.h"
 #include "multipass/frame/driver.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "scenes/make_lamps/lamps.h"
 #include "test_paths.h"
 

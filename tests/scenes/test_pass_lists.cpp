@@ -4,7 +4,7 @@
 #include "multipass/frame/driver.h"
 #include "multipass/passes/pass_toml.h"
 #include "scene/draw/fit.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include <gtest/gtest.h>
 #include "test_paths.h"

@@ -1,6 +1,6 @@
 // Claims: every scene of scenes/ can be read with its maps, and is as docs/gallery.md describes it.
 #include "image/textures.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 
 #include <gtest/gtest.h>

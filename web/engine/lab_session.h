@@ -10,7 +10,7 @@
 #include "multipass/frame/driver.h"
 #include "raytrace/casting/casting.h"
 #include "scene/draw/view.h"
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "web/engine/lighting.h"
 #include "web/engine/ray_scene.h"
 

@@ -1,6 +1,6 @@
 // Claims: generated normals follow smoothing groups and the crease angle, split vertices only where
 // faces disagree, and are never zero or NaN.
-#include "scene/geometry/normals.h"
+#include "scene/obj/normals.h"
 
 #include <gtest/gtest.h>
 

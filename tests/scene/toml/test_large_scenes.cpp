@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/draw/draw_commands.h"
-#include "scene/read_profile.h"
+#include "scene/toml/read_profile.h"
 #include "tests/scene/folder.h"
 
 namespace gw::scene {

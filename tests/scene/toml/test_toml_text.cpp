@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 #include "tests/scene/folder.h"
 
 namespace gw::scene {

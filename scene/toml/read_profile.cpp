@@ -1,4 +1,4 @@
-#include "scene/read_profile.h"
+#include "scene/toml/read_profile.h"
 
 #include "gw/error.h"
 #include "scene/toml/toml_binder.h"

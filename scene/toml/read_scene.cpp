@@ -1,4 +1,4 @@
-#include "scene/read_scene.h"
+#include "scene/toml/read_scene.h"
 
 #include "scene/geometry/far.h"
 #include "scene/geometry/transform.h"

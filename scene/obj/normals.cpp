@@ -1,4 +1,4 @@
-#include "scene/geometry/normals.h"
+#include "scene/obj/normals.h"
 
 #include "gw/base/elementary.h"
 #include "gw/stages/vertex.h"

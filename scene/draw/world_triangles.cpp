@@ -1,5 +1,5 @@
 // Ray and triangle by Möller and Trumbore 1997, in double.
-#include "scene/geometry/world_triangles.h"
+#include "scene/draw/world_triangles.h"
 
 #include "gw/stages/vertex.h"
 
