@@ -1,6 +1,6 @@
 #include "image/decoder_process.h"
 
-#include "image/decoder/reply.h"
+#include "image/decoder_reply.h"
 
 #include <dlfcn.h>
 #include <link.h>

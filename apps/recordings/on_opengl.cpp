@@ -5,8 +5,8 @@
 #include "gw/reference/make.h"
 #include "inspect/compare/classify.h"
 #include "inspect/compare/difference_classes.h"
-#include "inspect/compare/plane_values.h"
 #include "inspect/peer/player.h"
+#include "inspect/replay/plane_values.h"
 #include "inspect/replay/player.h"
 #include "inspect/text/plural.h"
 

@@ -2,7 +2,7 @@
 // file may crash a decoder or make it take all memory; then only this process ends.
 #include "gw/error.h"
 #include "image/decoder/read_texels.h"
-#include "image/decoder/reply.h"
+#include "image/decoder_reply.h"
 
 #include <OpenImageIO/imageio.h>
 

@@ -1,6 +1,6 @@
 #include "inspect/compare/classify.h"
 
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 
 #include <algorithm>
 

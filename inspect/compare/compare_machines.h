@@ -5,14 +5,12 @@
 #include "gw/machine.h"
 #include "inspect/compare/finding.h"
 #include "inspect/recording/recording.h"
+#include "inspect/replay/player.h"
 
-#include <functional>
-#include <memory>
+#include <string>
+#include <vector>
 
 namespace gw::inspect {
-
-/// Makes a new machine for a recording, of its profile and size.
-using MachineMaker = std::function<std::unique_ptr<Machine>(const Recording&)>;
 
 /// "reference" or "fast" (on `threads` threads; 0: all).
 MachineMaker maker_of(const std::string& machine, int threads = 0);

@@ -1,7 +1,7 @@
 #include "inspect/compare/difference_classes.h"
 
 #include "inspect/compare/classify.h"
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/counters.h"
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,6 @@
 #include "inspect/compare/verify.h"
 
 #include "inspect/manifest/json_of.h"
-#include "inspect/recording/check_lists.h"
-#include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
 #include "inspect/text/call_text.h"
@@ -128,17 +126,6 @@ void find_call(Finding& finding, const Recording& recording) {
 }
 
 }  // namespace
-
-Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
-                           ValuesWriter* values) {
-    validate_lists(recording);
-    const auto machine = make(recording);
-    DigestingMachine digesting(*machine);
-    play_by_pass(recording, digesting, [&](std::size_t) {
-        if (values) values->add(machine->planes());
-    });
-    return manifest_of(recording, machine->passes());
-}
 
 std::optional<Finding> first_difference(const Manifest& expected, const Manifest& actual) {
     if (auto finding = head_difference(expected, actual)) return finding;

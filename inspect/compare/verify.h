@@ -5,16 +5,10 @@
 
 #include "inspect/compare/compare_machines.h"
 #include "inspect/manifest/manifest.h"
-#include "inspect/manifest/values.h"
 
 #include <span>
 
 namespace gw::inspect {
-
-/// Replays a recording and describes the result. `values`: receives the planes after every pass;
-/// may be null.
-Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
-                           ValuesWriter* values);
 
 struct Verification {
     std::optional<Finding> finding;  ///< nothing: as the manifest says

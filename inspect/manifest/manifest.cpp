@@ -1,7 +1,8 @@
 #include "inspect/manifest/manifest.h"
 
+#include "inspect/recording/check_lists.h"
 #include "inspect/recording/content.h"
-#include "inspect/replay/player.h"
+#include "inspect/replay/forwarding_machine.h"
 
 #include <fmt/format.h>
 
@@ -92,6 +93,17 @@ Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& 
         before = states[i];
     }
     return manifest;
+}
+
+Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
+                           ValuesWriter* values) {
+    validate_lists(recording);
+    const auto machine = make(recording);
+    DigestingMachine digesting(*machine);
+    play_by_pass(recording, digesting, [&](std::size_t) {
+        if (values) values->add(machine->planes());
+    });
+    return manifest_of(recording, machine->passes());
 }
 
 Manifest merge_runs(const Manifest& manifest) {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include "gw/counters.h"
+#include "inspect/manifest/values.h"
 #include "inspect/recording/recording.h"
+#include "inspect/replay/player.h"
 #include "inspect/text/state_fields.h"
 
 #include <string>
@@ -38,6 +40,11 @@ inline constexpr int manifest_version = 1;
 
 /// `reports`: of all of its passes, with digests of all planes.
 Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports);
+
+/// Replays a recording and describes the result. `values`: receives the planes after every pass;
+/// may be null.
+Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
+                           ValuesWriter* values);
 
 /// For lists of thousands of passes with a few names, as superposed pictures have. The result has a
 /// pass for each name, in the order of their first runs. "diffuse lamp, 16 runs" has the first

@@ -1,7 +1,7 @@
 // A manifest as a file, and the file of values beside it. Reads files; does not write them.
 #pragma once
 
-#include "inspect/compare/verify.h"
+#include "inspect/manifest/manifest.h"
 
 #include <filesystem>
 #include <string_view>

@@ -5,8 +5,8 @@
 #include "gw/error.h"
 #include "gw/machine.h"
 #include "gw/names.h"
-#include "inspect/compare/plane_values.h"
 #include "inspect/manifest/json_of.h"
+#include "inspect/replay/plane_values.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

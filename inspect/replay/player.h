@@ -6,8 +6,12 @@
 #include "inspect/recording/recording.h"
 
 #include <functional>
+#include <memory>
 
 namespace gw::inspect {
+
+/// Makes a new machine for a recording, of its profile and size.
+using MachineMaker = std::function<std::unique_ptr<Machine>(const Recording&)>;
 
 /// Commands first .. end - 1 are counted in one pass. The pass is that of the same place in
 /// Machine::passes().

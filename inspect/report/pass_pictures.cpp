@@ -2,7 +2,7 @@
 
 #include "image/picture.h"
 #include "image/plane_pictures.h"
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 #include "scene/draw/draw_commands.h"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include "image/output/output_set.h"
 #include "image/plane_pictures.h"
 #include "image/write.h"
-#include "inspect/compare/plane_values.h"
 #include "inspect/manifest/manifest_file.h"
+#include "inspect/replay/plane_values.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "inspect/testing/matchers.h"
 
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 #include "inspect/testing/failure_files.h"
 #include "inspect/text/plural.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "gw/base/types.h"
-#include "raytrace/casting/ray.h"
+#include "raytrace/ray.h"
 
 #include <algorithm>
 #include <cmath>

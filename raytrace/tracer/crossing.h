@@ -6,7 +6,7 @@
 // and Muecke 1990, Simulation of Simplicity].
 #pragma once
 
-#include "raytrace/casting/ray.h"
+#include "raytrace/ray.h"
 
 #include <array>
 #include <optional>

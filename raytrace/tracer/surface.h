@@ -1,7 +1,7 @@
 // The surface at a ray's hit: position, normals and texture coordinates. Does not shade.
 #pragma once
 
-#include "raytrace/casting/ray.h"
+#include "raytrace/ray.h"
 #include "scene/draw/shading.h"
 #include "scene/draw/view.h"
 #include "scene/draw/world_triangles.h"

@@ -7,8 +7,8 @@
 // twice.
 #pragma once
 
-#include "raytrace/casting/ray.h"
 #include "raytrace/hierarchy/hierarchy.h"
+#include "raytrace/ray.h"
 #include "scene/draw/world_triangles.h"
 
 #include <optional>

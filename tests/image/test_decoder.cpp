@@ -1,7 +1,7 @@
 // Claims: damaged pictures of every format are textures or errors, in little memory and time;
 // decoding goes on after a crash.
-#include "image/decoder/reply.h"
 #include "image/decoder_process.h"
+#include "image/decoder_reply.h"
 
 #include "tests/image/files.h"
 #include "tests/image/refusal.h"

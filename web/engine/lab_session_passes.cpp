@@ -1,10 +1,10 @@
 // Passes: the list, each pass's planes, counters and estimated time; pixel histories.
 #include "gw/error.h"
 #include "image/plane_pictures.h"
-#include "inspect/compare/plane_values.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/pixel_history.h"
+#include "inspect/replay/plane_values.h"
 #include "inspect/report/prices.h"
 #include "multipass/passes/pass_toml.h"
 #include "multipass/steps/schedule.h"

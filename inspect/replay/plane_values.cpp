@@ -1,4 +1,4 @@
-#include "inspect/compare/plane_values.h"
+#include "inspect/replay/plane_values.h"
 
 #include <algorithm>
 
