@@ -1,4 +1,5 @@
-# OpenImageIO::OpenImageIO from its headers and libraries. Debian's own CMake files demand the package of its tools (and a display) too.
+# OpenImageIO::OpenImageIO from its headers and libraries. Debian's own CMake files demand the
+# package of its tools (and a display) too.
 find_path(OpenImageIO_INCLUDE_DIR OpenImageIO/imageio.h)
 find_library(OpenImageIO_LIBRARY OpenImageIO)
 find_library(OpenImageIO_Util_LIBRARY OpenImageIO_Util)

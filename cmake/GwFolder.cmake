@@ -1,33 +1,41 @@
-# gw_library, gw_command, gw_test: a folder's sources as one target. Each folder's CMakeLists.txt finds its packages.
+# gw_library, gw_command, gw_test: a folder's sources as one target. Each folder's CMakeLists.txt
+# finds its packages.
 
-# With precompiled headers, g++ -O0 takes <immintrin.h> for that of optimized code, and refuses Highway's AVX-512.
+# With precompiled headers, g++ -O0 takes <immintrin.h> for that of optimized code, and refuses
+# Highway's AVX-512.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE MATCHES "^(Debug)?$"
         AND NOT "${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_DEBUG}" MATCHES "-O[123s]")
     set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
-# Warnings are chosen so that correct code needs no casts beyond those that change a number's kind. In a batch, a local name would shadow a
-# function of another source.
+# Warnings are chosen so that correct code needs no casts beyond those that change a number's kind.
+# In a batch, a local name would shadow a function of another source.
 set(gw_misfires -Wno-restrict)  # false alarms of g++ 12 in std::string
 if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
-    list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)  # the same, if its header is precompiled
+    # the same, if its header is precompiled
+    list(APPEND gw_misfires -Wno-stringop-overflow -Wno-stringop-overread -Wno-array-bounds)
 endif()
 add_library(gw_warnings INTERFACE)
 target_compile_options(gw_warnings INTERFACE
-    -Wall -Wextra $<$<NOT:$<BOOL:${GW_BATCHES}>>:-Wshadow> -Wvla -Wnon-virtual-dtor -Woverloaded-virtual -Wfloat-conversion
+    -Wall -Wextra $<$<NOT:$<BOOL:${GW_BATCHES}>>:-Wshadow> -Wvla -Wnon-virtual-dtor
+        -Woverloaded-virtual -Wfloat-conversion
     -Wno-missing-field-initializers  # pass tuples name only what differs from GL's initial value
     "$<$<CXX_COMPILER_ID:GNU>:${gw_misfires}>")
 
-# -O1 saves more time in compiling tests that compute than it costs in running them, -O0 in compiling the others. At -O1, g++ reports the
-# value of an empty std::optional as used.
-set(gw_test_options $<$<CONFIG:Release>:-O1> $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+# -O1 saves more time in compiling tests that compute than it costs in running them, -O0 in
+# compiling the others. At -O1, g++ reports the value of an empty std::optional as used.
+set(gw_test_options $<$<CONFIG:Release>:-O1>
+    $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
 set(gw_plain_test_options $<$<CONFIG:Release>:-O0>)
 
-# In a batch, g++ takes a source for a header, in which types must not have members from anonymous namespaces. What it finds by following
-# inlined calls depends on the batch, so it warns without ending the build.
+# In a batch, g++ takes a source for a header, in which types must not have members from anonymous
+# namespaces. What it finds by following inlined calls depends on the batch, so it warns without
+# ending the build.
 if(GW_BATCHES)
-    set(gw_batch_options "$<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage;-Wno-error=maybe-uninitialized;-Wno-error=dangling-pointer;\
--Wno-error=use-after-free;-Wno-error=free-nonheap-object;-Wno-error=nonnull>")
+    set(gw_batch_options -Wno-subobject-linkage -Wno-error=maybe-uninitialized
+        -Wno-error=dangling-pointer -Wno-error=use-after-free -Wno-error=free-nonheap-object
+        -Wno-error=nonnull)
+    set(gw_batch_options "$<$<CXX_COMPILER_ID:GNU>:${gw_batch_options}>")
 endif()
 
 function(gw_compile target)
@@ -36,16 +44,17 @@ function(gw_compile target)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:gw_warnings>)
 endfunction()
 
-# gw_position_independent(TARGET): shared libraries and Python modules can link it. The compiler may still inline and clone its functions: no
-# symbol of it is replaced at run time.
+# gw_position_independent(TARGET): shared libraries and Python modules can link it. The compiler may
+# still inline and clone its functions: no symbol of it is replaced at run time.
 function(gw_position_independent target)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# gw_batch(TARGET): compiles its sources sixteen at a time (CMake's unity build), so that sixteen share the work of headers and templates. A
-# source that defines macros is compiled alone: Highway's kernels, and sources that configure a library. Within a batch, names in
-# anonymous namespaces must differ.
+# gw_batch(TARGET): compiles its sources sixteen at a time (CMake's unity build), so that sixteen
+# share the work of headers and templates. A source that defines macros is compiled alone: Highway's
+# kernels, and sources that configure a library. Within a batch, names in anonymous namespaces must
+# differ.
 function(gw_batch target)
     if(NOT GW_BATCHES)
         return()
@@ -73,8 +82,8 @@ function(gw_defines_macros path result)
     endif()
 endfunction()
 
-# gw_batch_tests(TARGET VARIABLE): replaces the files test_*.cpp in the list VARIABLE by sources that hold sixteen of them each, made by
-# batch_tests.cmake. Names of two files do not meet there.
+# gw_batch_tests(TARGET VARIABLE): replaces the files test_*.cpp in the list VARIABLE by sources
+# that hold sixteen of them each, made by batch_tests.cmake. Names of two files do not meet there.
 function(gw_batch_tests target variable)
     if(NOT GW_BATCHES)
         return()
@@ -96,7 +105,8 @@ function(gw_batch_tests target variable)
             set(output ${CMAKE_CURRENT_BINARY_DIR}/batches/${target}_${count}.cpp)
             list(JOIN batch "," joined)
             add_custom_command(OUTPUT ${output}
-                COMMAND ${CMAKE_COMMAND} -DFILES=${joined} -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/batch_tests.cmake
+                COMMAND ${CMAKE_COMMAND} -DFILES=${joined} -DOUTPUT=${output}
+                    -P ${PROJECT_SOURCE_DIR}/cmake/batch_tests.cmake
                 DEPENDS ${batch} ${PROJECT_SOURCE_DIR}/cmake/batch_tests.cmake
                 VERBATIM)
             list(REMOVE_ITEM sources ${batch})
@@ -108,8 +118,9 @@ function(gw_batch_tests target variable)
 endfunction()
 
 # gw_library(FOLDER [TARGET name] [EXCLUDE file...] [LINK library...])
-# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (or the name, if given), and installs the
-# headers. A folder below it with a CMakeLists.txt is a target of its own. EXCLUDE: sources to leave out, headers not to install.
+# Compiles all *.cpp below the calling folder into library gw_FOLDER, alias gw::FOLDER (or the name,
+# if given), and installs the headers. A folder below it with a CMakeLists.txt is a target of its
+# own. EXCLUDE: sources to leave out, headers not to install.
 function(gw_library folder)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "TARGET" "EXCLUDE;LINK")
     set(name ${folder})
@@ -134,7 +145,8 @@ function(gw_library folder)
     gw_batch(gw_${name})
     target_link_libraries(gw_${name} PUBLIC ${arg_LINK})
 
-    # Headers are included from the root of the repository, and so from the root of their installation.
+    # Headers are included from the root of the repository, and so from the root of their
+    # installation.
     file(GLOB_RECURSE headers CONFIGURE_DEPENDS *.h)
     set(observer ${headers})  # inspect's headers include it
     list(FILTER observer INCLUDE REGEX "/gw/reference/observer\\.h$")
@@ -145,12 +157,13 @@ function(gw_library folder)
     list(TRANSFORM arg_EXCLUDE PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
     list(REMOVE_ITEM headers ${arg_EXCLUDE} "")
     list(APPEND headers ${observer})
-    target_sources(gw_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${headers})
+    target_sources(gw_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES
+        ${headers})
     set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
-# gw_embed(TARGET FUNCTION HEADER FILE...): the bytes of the files, built in. The header declares the function: a file's bytes by its name;
-# empty for any other name.
+# gw_embed(TARGET FUNCTION HEADER FILE...): the bytes of the files, built in. The header declares
+# the function: a file's bytes by its name; empty for any other name.
 function(gw_embed target function header)
     string(MAKE_C_IDENTIFIER ${function} name)
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
@@ -161,7 +174,8 @@ function(gw_embed target function header)
     endforeach()
     list(JOIN files "," joined)
     add_custom_command(OUTPUT ${output}
-        COMMAND ${CMAKE_COMMAND} -DFILES=${joined} -DHEADER=${header} -DFUNCTION=${function} -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+        COMMAND ${CMAKE_COMMAND} -DFILES=${joined} -DHEADER=${header} -DFUNCTION=${function}
+            -DOUTPUT=${output} -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
         DEPENDS ${files} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
         VERBATIM)
     target_sources(${target} PRIVATE ${output})
@@ -178,11 +192,13 @@ function(gw_command name source)
 endfunction()
 
 # gw_test(FOLDER SUFFIX [COMPUTES] [LABEL label] [TIMEOUT seconds] [LINK library...])
-# All *.cpp below tests/FOLDER/SUFFIX become bin/test_FOLDER_SUFFIX, every TEST of it a test of ctest. SUFFIX may be "": all but long/.
-# COMPUTES: the tests themselves take long to run, not only what they call.
+# All *.cpp below tests/FOLDER/SUFFIX become bin/test_FOLDER_SUFFIX, every TEST of it a test of
+# ctest. SUFFIX may be "": all but long/. COMPUTES: the tests themselves take long to run, not only
+# what they call.
 function(gw_test folder suffix)
     cmake_parse_arguments(PARSE_ARGV 2 arg "COMPUTES" "LABEL;TIMEOUT" "LINK")
-    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS
+        ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/${suffix}/*.cpp)
     list(TRANSFORM sources REPLACE "//" "/")
     if(NOT suffix)
         list(FILTER sources EXCLUDE REGEX "/${folder}/long/")
@@ -201,7 +217,8 @@ function(gw_test folder suffix)
         target_compile_options(${name} PRIVATE ${gw_plain_test_options})
     endif()
     target_compile_options(${name} PRIVATE ${gw_batch_options})
-    configure_file(${PROJECT_SOURCE_DIR}/tests/test_paths.h.in ${PROJECT_BINARY_DIR}/generated/test_paths.h @ONLY)
+    configure_file(${PROJECT_SOURCE_DIR}/tests/test_paths.h.in
+        ${PROJECT_BINARY_DIR}/generated/test_paths.h @ONLY)
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")

@@ -1,22 +1,30 @@
-# cmake --install build/release --prefix DIR: the command with its man page and completions, the scenes, and every folder as a library
-# for find_package(gw). cpack --config build/release/CPackConfig.cmake: the same as Debian packages gw, libgw-dev and python3-gw (docs/library.md).
+# cmake --install build/release --prefix DIR: the command with its man page and completions, the
+# scenes, and every folder as a library for find_package(gw). cpack --config
+# build/release/CPackConfig.cmake: the same as Debian packages gw, libgw-dev and python3-gw
+# (docs/library.md).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The libraries of the command and of the tests are not installed.
-foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface radiosity inspect report plot study testing)
+foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface radiosity
+    inspect report plot study testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
             ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-            FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gw-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+            FILE_SET HEADERS DESTINATION
+                ${CMAKE_INSTALL_INCLUDEDIR}/gw-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
     endif()
 endforeach()
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/gw)
-install(EXPORT gw FILE gwTargets.cmake NAMESPACE gw:: DESTINATION ${package_directory} COMPONENT development)
-configure_package_config_file(cmake/gwConfig.cmake.in ${PROJECT_BINARY_DIR}/gwConfig.cmake INSTALL_DESTINATION ${package_directory})
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake DESTINATION ${package_directory}
+install(EXPORT gw FILE gwTargets.cmake NAMESPACE gw:: DESTINATION ${package_directory} COMPONENT
+    development)
+configure_package_config_file(cmake/gwConfig.cmake.in ${PROJECT_BINARY_DIR}/gwConfig.cmake
+    INSTALL_DESTINATION ${package_directory})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/gwConfigVersion.cmake COMPATIBILITY
+    SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/gwConfig.cmake ${PROJECT_BINARY_DIR}/gwConfigVersion.cmake
+    DESTINATION ${package_directory}
     COMPONENT development)
 
 # The module and the decoder of image/ are for the command and for programs that link gw::image.
@@ -30,26 +38,33 @@ endif()
 if(TARGET gw)
     foreach(library gw_glx gw_osmesa)  # which `gw gl` gives to programs
         if(TARGET ${library})
-            install(TARGETS ${library} LIBRARY DESTINATION ${GW_INSTALLED_OPENGL} NAMELINK_SKIP COMPONENT command)
+            install(TARGETS ${library} LIBRARY DESTINATION ${GW_INSTALLED_OPENGL} NAMELINK_SKIP
+                COMPONENT command)
         endif()
     endforeach()
     if(TARGET gw_glx)
         foreach(name libEGL.so.1 libGLX.so.0 libOpenGL.so.0)  # links to libGL.so.1
-            install(FILES ${PROJECT_BINARY_DIR}/lib/opengl/${name} DESTINATION ${GW_INSTALLED_OPENGL} COMPONENT command)
+            install(FILES ${PROJECT_BINARY_DIR}/lib/opengl/${name} DESTINATION
+                ${GW_INSTALLED_OPENGL} COMPONENT command)
         endforeach()
     endif()
     file(RELATIVE_PATH to_modules ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${modules})
     set_target_properties(gw PROPERTIES INSTALL_RPATH "\$ORIGIN/${to_modules}")
     install(TARGETS gw RUNTIME COMPONENT command)
-    install(FILES ${PROJECT_BINARY_DIR}/share/gw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT command)
-    install(FILES ${PROJECT_BINARY_DIR}/share/gw.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gw COMPONENT command)
-    install(FILES ${PROJECT_BINARY_DIR}/share/_gw DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/gw.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1
+        COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/gw.bash DESTINATION
+        ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME gw COMPONENT command)
+    install(FILES ${PROJECT_BINARY_DIR}/share/_gw DESTINATION
+        ${CMAKE_INSTALL_DATADIR}/zsh/site-functions COMPONENT command)
     install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/gw COMPONENT command
-        FILES_MATCHING PATTERN *.toml PATTERN *.obj PATTERN *.mtl PATTERN *.png PATTERN make_* EXCLUDE)
+        FILES_MATCHING PATTERN *.toml PATTERN *.obj PATTERN *.mtl PATTERN *.png PATTERN make_*
+            EXCLUDE)
 endif()
 # Documents name each other, the examples and the schemas by their places in the repository.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN Doxyfile EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN Doxyfile
+    EXCLUDE)
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 foreach(schema inspect/recording/recording.fbs inspect/manifest/values.fbs)
     get_filename_component(folder ${schema} DIRECTORY)

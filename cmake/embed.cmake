@@ -1,4 +1,5 @@
-# The work of gw_embed: cmake -DFILES=a,b -DHEADER=h.h -DFUNCTION=gw::report::embedded -DOUTPUT=c.cpp -P embed.cmake
+# The work of gw_embed: cmake -DFILES=a,b -DHEADER=h.h -DFUNCTION=gw::report::embedded
+# -DOUTPUT=c.cpp -P embed.cmake
 string(REPLACE "," ";" files "${FILES}")
 set(arrays "")
 set(rows "")
@@ -8,7 +9,8 @@ foreach(file IN LISTS files)
     get_filename_component(name ${file} NAME)
     string(MAKE_C_IDENTIFIER ${name} identifier)
     string(APPEND arrays "constexpr unsigned char bytes_${identifier}[] = {${bytes}};\n")
-    string(APPEND rows "    if (name == \"${name}\") return {reinterpret_cast<const char*>(bytes_${identifier}), sizeof bytes_${identifier}};\n")
+    string(APPEND rows
+        "    if (name == \"${name}\") return {reinterpret_cast<const char*>(bytes_${identifier}), sizeof bytes_${identifier}};\n")
 endforeach()
 file(WRITE ${OUTPUT} "#include \"${HEADER}\"
 namespace {

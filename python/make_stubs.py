@@ -33,8 +33,10 @@ def plain(signature):
     """A signature as Python writes it."""
     signature = signature.replace("gw._gw.", "").replace("_gw.", "")
     signature = re.sub(r"\bgw::(?:\w+::)*", "", signature)  # a class that was not known yet
-    signature = re.sub(r"\blist\b(?!\[)", "List[Any]", re.sub(r"\bdict\b(?!\[)", "Dict[Any, Any]", signature))
-    signature = re.sub(r"numpy\.ndarray\[numpy\.(\w+)\]", r"numpy.typing.NDArray[numpy.\1]", signature)
+    signature = re.sub(r"\blist\b(?!\[)", "List[Any]",
+                       re.sub(r"\bdict\b(?!\[)", "Dict[Any, Any]", signature))
+    signature = re.sub(r"numpy\.ndarray\[numpy\.(\w+)\]", r"numpy.typing.NDArray[numpy.\1]",
+                       signature)
     signature = re.sub(r"\bnumpy\.ndarray\b(?!\[)", "numpy.typing.NDArray[Any]", signature)
     signature = re.sub(r"= <[^>]*>", "= ...", signature)
     signature = re.sub(r"= [A-Z]\w*\([^()]*(\([^()]*\)[^()]*)*\)", "= ...", signature)
@@ -46,9 +48,11 @@ def plain(signature):
 
 
 def accepting(signature):
-    """Arguments take whatever the casters do: any sequence for a vector, a name for an enumeration."""
+    """Arguments take whatever the casters do: any sequence for a vector, a name for an
+    enumeration."""
     arguments, arrow, result = signature.partition(") -> ")
-    arguments = re.sub(r"Tuple\[((?:float|int)(?:, (?:float|int))+)\]", lambda m: f"Sequence[{m[1].split(',')[0]}]", arguments)
+    arguments = re.sub(r"Tuple\[((?:float|int)(?:, (?:float|int))+)\]", lambda m:
+                       f"Sequence[{m[1].split(',')[0]}]", arguments)
     arguments = re.sub(r"numpy\.typing\.NDArray\[[\w.]+\]", "numpy.typing.ArrayLike", arguments)
     names = "|".join(sorted(set(enums) | {"Profile"}, key=len, reverse=True))
     arguments = re.sub(rf"(: |\[)({names})\b", r"\1Union[\2, str]", arguments)
@@ -86,7 +90,9 @@ def property_type(value, kind):
 
 
 def class_stub(cls):
-    lines = [f"class {cls.__name__}({'ValueError' if issubclass(cls, Exception) else ''}):\n".replace("()", "")]
+    lines = [
+        f"class {cls.__name__}({'ValueError' if issubclass(cls, Exception) else ''}):\n".replace(
+            "()", "")]
     lines.append(docstring((cls.__doc__ or "").split("\n\nMembers:")[0], "    "))
     members = getattr(cls, "__members__", None)
     if members is not None:
@@ -100,10 +106,12 @@ def class_stub(cls):
                          + docstring(value.__doc__ or "", "        ") + "        ...\n")
             if value.fset is not None:
                 kind = property_type(value, "fget")
-                lines.append(f"    @{name}.setter\n    def {name}(self, value: {kind}) -> None: ...\n")
+                lines.append(
+                    f"    @{name}.setter\n    def {name}(self, value: {kind}) -> None: ...\n")
         elif name == "__init__" and fields is not None and not issubclass(cls, Exception):
             arguments = ", ".join(
-                accepting(f"{f}: {property_type(cls.__dict__[f], 'fget')} = ...) -> ")[: -len(") -> ")] for f in fields)
+                accepting(f"{f}: {property_type(cls.__dict__[f], 'fget')} = ...) -> ")[
+                    : -len(") -> ")] for f in fields)
             overloads = "1. " in (value.__doc__ or "")
             extra = ""
             if overloads and cls.__name__ == "Profile":
@@ -114,7 +122,8 @@ def class_stub(cls):
             lines.append(function(name, value.__func__, "    ", static=True))
         elif name == "__init__" and not (value.__doc__ or "").startswith("__init__("):
             continue
-        elif name in ("__init__", "__len__", "__iter__", "__next__") or (callable(value) and not name.startswith("_")):
+        elif name in ("__init__", "__len__", "__iter__", "__next__") or (callable(value)
+            and not name.startswith("_")):
             lines.append(function(name, value, "    "))
     if fields is not None:
         lines.append("    def __eq__(self, other: object) -> bool: ...\n")
@@ -123,7 +132,8 @@ def class_stub(cls):
 
 def stubs(module):
     text = HEADER.format(doc=module.__doc__)
-    for name, value in sorted(vars(module).items(), key=lambda item: (not isinstance(item[1], type), item[0])):
+    for name, value in sorted(vars(module).items(),
+                              key=lambda item: (not isinstance(item[1], type), item[0])):
         if name.startswith("_"):
             continue
         text += class_stub(value) if isinstance(value, type) else function(name, value)

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
-"""Frames a second of programs on two implementations of OpenGL: compare.py [--only NAMES] [--sizes WxH ..] [--threads N ..] [--real]
+"""Frames a second of programs on two implementations of OpenGL: compare.py [--only NAMES] [--sizes
+WxH ..] [--threads N ..] [--real]
 
-Each program runs on the machine's libGL.so.1 and on Mesa's llvmpipe in turn, in windows of one X server. Prints frames a second of both,
-medians of the repeats, the ratio, and the share of pixels of a last frame that differ by more than 8 of 255.
+Each program runs on the machine's libGL.so.1 and on Mesa's llvmpipe in turn, in windows of one X
+server. Prints frames a second of both, medians of the repeats, the ratio, and the share of pixels
+of a last frame that differ by more than 8 of 255.
 
---real: programs of Debian, unmodified, in place of those of bench_programs. A preloaded library fixes their clock, so both sides draw the
-same frames.
+--real: programs of Debian, unmodified, in place of those of bench_programs. A preloaded library
+fixes their clock, so both sides draw the same frames.
 """
 import argparse
 import json
@@ -19,20 +21,23 @@ import tempfile
 HACKS = "/usr/libexec/xscreensaver"
 REAL = {"glxgears": ["glxgears"]} | {
     name: [f"{HACKS}/{name}", "--window", "--delay", "0"]
-    for name in ["gears", "atlantis", "bouncingcow", "cage", "circuit", "flurry", "glmatrix", "glplanet", "lament", "molecule", "morph3d",
+    for name in ["gears", "atlantis", "bouncingcow", "cage", "circuit", "flurry", "glmatrix",
+                 "glplanet", "lament", "molecule", "morph3d",
                  "pipes", "rubik", "sballs", "sproingies", "starwars", "superquadrics"]}
 
 
 def arguments():
     parser = argparse.ArgumentParser()
     parser.add_argument("--bin", default="build/release/bin/bench_programs")
-    parser.add_argument("--lib", default="build/release/lib/opengl", help="folder of our libGL.so.1")
+    parser.add_argument("--lib", default="build/release/lib/opengl",
+                        help="folder of our libGL.so.1")
     parser.add_argument("--only", nargs="*", default=[], help="names of programs")
     parser.add_argument("--sizes", nargs="*", default=["640x480", "1280x960"])
     parser.add_argument("--threads", nargs="*", type=int, default=[1, 2])
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--real", action="store_true")
-    parser.add_argument("--meter", default="build/release/lib/bench_frame_meter.so", help="ends a real program after 100 frames")
+    parser.add_argument("--meter", default="build/release/lib/bench_frame_meter.so",
+                        help="ends a real program after 100 frames")
     parser.add_argument("--json", help="a file for the figures")
     return parser.parse_args()
 
@@ -53,9 +58,11 @@ def run(args, side, name, size, threads, picture):
     env = environment(side, threads, args.lib)
     if args.real:
         command = pinned + REAL[name] + ["-geometry", size]
-        env |= {"LD_PRELOAD": os.path.abspath(args.meter), "FRAME_METER": picture + ".txt", "FRAME_METER_PICTURE": picture}
+        env |= {"LD_PRELOAD": os.path.abspath(args.meter), "FRAME_METER": picture + ".txt",
+                "FRAME_METER_PICTURE": picture}
     else:
-        command = pinned + [args.bin, name, "--width", width, "--height", height, "--picture", picture]
+        command = pinned + [args.bin, name, "--width", width, "--height", height, "--picture",
+                            picture]
     done = subprocess.run(command, env=env, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"compare.py: {' '.join(command)} on {side}: {done.stderr}")
@@ -75,7 +82,8 @@ def pixels_off(a, b):
         x, y = first.read(), second.read()
     header = x.index(b"255\n") + 4
     starts = range(header, len(x), 3)
-    off = sum(1 for i in starts if x[i:i + 3] != y[i:i + 3] and max(abs(x[i + k] - y[i + k]) for k in range(3)) > 8)
+    off = sum(1 for i in starts if x[i:i + 3] != y[i:i + 3]
+              and max(abs(x[i + k] - y[i + k]) for k in range(3)) > 8)
     return off / len(starts)
 
 
@@ -96,7 +104,8 @@ def compare(args, name, size, threads, folder):
 
 def main():
     args = arguments()
-    listed = subprocess.run([args.bin], capture_output=True, text=True, check=True).stdout.splitlines()
+    listed = subprocess.run([args.bin], capture_output=True, text=True,
+                            check=True).stdout.splitlines()
     if args.real and not os.path.exists(args.meter):
         sys.exit(f"compare.py: {args.meter} is not there; expected a build of bench_frame_meter")
     every = REAL if args.real else [line.split()[0] for line in listed]
@@ -106,7 +115,8 @@ def main():
         for size in args.sizes:
             for threads in args.threads:
                 print(f"\n{size}, {threads} thread(s); frames a second, medians of {args.repeats}")
-                print(f"{'program':14}{'ours':>9}{'llvmpipe':>10}{'ratio':>8}{'processor':>11}{'pixels off':>12}", flush=True)
+                print(f"{'program':14}{'ours':>9}{'llvmpipe':>10}{'ratio':>8}{'processor':>11}"
+                      f"{'pixels off':>12}", flush=True)
                 part = []
                 for name in names:
                     row = compare(args, name, size, threads, folder)

@@ -57,4 +57,5 @@ def draw(pieces):
 
 with open(sys.argv[1], encoding="utf-8") as file:
     polygons = json.load(file)["polygons"]
-draw([piece for polygon in polygons for piece in polygon["pieces"] if piece["plane"] and piece["outline"]])
+draw([piece for polygon in polygons for piece in polygon["pieces"] if piece["plane"]
+      and piece["outline"]])

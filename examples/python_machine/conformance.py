@@ -1,7 +1,7 @@
 """python3 -m python_machine.conformance [GROUP ...]
 
-Runs this machine on the conformance suite by the package gw (docs/python.md). Exit code 0: all agree;
-3: a difference.
+Runs this machine on the conformance suite by the package gw (docs/python.md). Exit code 0: all
+agree; 3: a difference.
 """
 import pathlib
 import sys

@@ -45,8 +45,7 @@ def filled(value, given):
     for member in fields(value):
         part = getattr(given, member_name(member.name), None)
         current = getattr(value, member.name)
-        if part is None:
-            continue  # [R15.1]
+        if part is None: continue  # [R15.1]
         if is_dataclass(current):
             filled(current, part)
         elif member.name == "polygon_stipple":
@@ -377,7 +376,7 @@ def root_of(data, path):
 
 
 def parts_of(data):
-    """The parts of a stream: after 8 bytes each with its size and digest, at the end a size of 0."""
+    """The parts of a stream: after 8 bytes each with size and digest, at the end a size of 0."""
     place = 8
     while size := int.from_bytes(data[place:place + 8], "little"):
         yield data[place + 24:place + 24 + size]

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Makes C++ from the table of OpenGL's entry points: generate.py functions.txt linked.txt FOLDER
 
-FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp and FOLDER/later.cpp define them and the tables behind
-gl/entry/entry_points.h. FOLDER/names.inc has a line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
+FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp and
+FOLDER/later.cpp define them and the tables behind gl/entry/entry_points.h. FOLDER/names.inc has a
+line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
 """
 import re
 import sys
@@ -55,7 +56,8 @@ def function(kind, result, name, parameters, call, arguments):
     if call is None:
         call = snake_case(name)
         arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
-    parameters = ", ".join(declared(p.strip(), arguments) for p in parameters.split(",") if p.strip())
+    parameters = ", ".join(declared(p.strip(), arguments) for p in parameters.split(",")
+                           if p.strip())
     separator = ", " if arguments else ""
     returned = "" if result == "void" else "return "
     return (f"{result} GLAPIENTRY gl{name}({parameters}) {{\n"
@@ -79,13 +81,15 @@ def names_header(names):
 def table(function_name, rows):
     return ["namespace gw::gl {", f"std::span<const EntryPoint> {function_name}() {{",
             "    static const EntryPoint table[] = {",
-            *(f'        {{"gl{row[2]}", Kind::{KINDS[row[0]]}, reinterpret_cast<Address>(&gl{row[2]})}},'
+            *(f'        {{"gl{row[2]}", Kind::{KINDS[row[0]]}, '
+              f'reinterpret_cast<Address>(&gl{row[2]})}},'
               for row in rows),
             "    };", "    return table;", "}", "}  // namespace gw::gl"]
 
 
 def exported(definitions):
-    return ["#pragma GCC visibility push(default)", 'extern "C" {', *definitions, '}  // extern "C"',
+    return ["#pragma GCC visibility push(default)", 'extern "C" {', *definitions,
+            '}  // extern "C"',
             "#pragma GCC visibility pop"]
 
 
@@ -101,7 +105,8 @@ def linked_names(path):
 
 
 def later_definitions(rows, linked):
-    """Their arguments are not read, so that their prototypes are not needed: <GL/gl.h> is left out."""
+    """Their arguments are not read, so that their prototypes are not needed: <GL/gl.h> is left
+    out."""
     names = [row[2] for row in rows] + linked
     return ['#include "gl/entry/entry_points.h"',
             *exported(f"std::intptr_t gl{name}() {{ return gw::gl::later(); }}" for name in names),
@@ -117,12 +122,14 @@ def main():
     later = [row for row in rows if row[0] == "later"]
     known = [row for row in rows if row[0] != "later"]
     for name, lines in (("functions.h", functions_header([row[2] for row in known])),
-                        ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known if not row[2].endswith(("EXT", "ARB"))]),
+                        ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known
+                                       if not row[2].endswith(("EXT", "ARB"))]),
                         ("function_names.h", names_header([row[2] for row in known])),
                         ("entry_points.cpp", definitions(known)),
                         ("later.cpp", later_definitions(later, linked))):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
-            file.write("\n".join(["// Made from gl/entry/functions.txt by gl/entry/generate.py.", *lines]) + "\n")
+            file.write("\n".join(["// Made from gl/entry/functions.txt by gl/entry/generate.py.",
+                                  *lines]) + "\n")
 
 
 main()

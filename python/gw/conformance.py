@@ -37,7 +37,8 @@ class Result:
         return f"{self.name}: {self.difference or f'agrees, {self.passes} passes'}"
 
 
-def run(play: Callable[[Recording], Iterable[Pass]], groups: Sequence[str] | None = None) -> Iterator[Result]:
+def run(play: Callable[[Recording], Iterable[Pass]], groups: Sequence[str]
+        | None = None) -> Iterator[Result]:
     """Plays every recording of the groups (default: all) and yields a result for each. What `play`
     raises is a difference too."""
     known = [str(group["name"]) for group in conformance_groups()]
@@ -56,7 +57,8 @@ def _check(
     try:
         for count, actual in enumerate(play(recording), 1):
             if count > len(expected):
-                return Result(name, group, count, f"pass {count} '{actual[0]}': expected only {len(expected)}")
+                return Result(name, group, count,
+                              f"pass {count} '{actual[0]}': expected only {len(expected)}")
             difference = _difference(actual, expected[count - 1])
             if difference:
                 return Result(name, group, count, f"pass {count} '{actual[0]}': {difference}")

@@ -19,7 +19,8 @@ import os
 from pathlib import Path
 from typing import Any, Callable, Iterable, Iterator, Mapping
 
-from ._gw import Camera, Error, HiddenRun, Profile, Scene, hidden_algorithms, hidden_polygons_json, play_hidden
+from ._gw import (Camera, Error, HiddenRun, Profile, Scene, hidden_algorithms,
+                  hidden_polygons_json, play_hidden)
 from ._gw import run_hidden as run
 from ._gw import write_file
 
@@ -42,7 +43,8 @@ def steps(run: HiddenRun, language: str = "en") -> Iterator[dict[str, Any]]:
 
 
 def polygons(
-    scene: Scene, *, width: int = 320, height: int = 240, profile: Profile | str = "vgx", camera: Camera | None = None
+    scene: Scene, *, width: int = 320, height: int = 240, profile: Profile | str = "vgx",
+    camera: Camera | None = None
 ) -> dict[str, Any]:
     """The polygons on the window grid with their planes, as `gw hidden --polygons` writes them."""
     text = hidden_polygons_json(scene, width=width, height=height, profile=profile, camera=camera)
@@ -68,9 +70,11 @@ def play(
         try:
             lines.append(json.dumps(step))
         except (TypeError, ValueError) as error:
-            raise Error(f"{name}: step {number} is no JSON: {error}; expected a dict of plain values") from None
+            raise Error(
+                f"{name}: step {number} is no JSON: {error}; expected a dict of plain values") from None
     return play_hidden(
-        scene, "\n".join(lines) + "\n", name, width=width, height=height, profile=profile, camera=camera
+        scene, "\n".join(lines) + "\n", name, width=width, height=height, profile=profile,
+        camera=camera
     )
 
 

@@ -53,12 +53,14 @@ def picture(plane: NDArray[Any], bits: int = 8, zoom: int = 1) -> Picture:
         colors = plane[::-1, :, :3]
         if bits == 8:
             return Picture(colors.astype(np.uint8), zoom)
-        return Picture((colors.astype(np.uint32) * 65535 // ((1 << bits) - 1)).astype(np.uint16), zoom)
+        return Picture((colors.astype(np.uint32) * 65535 // ((1 << bits) - 1)).astype(np.uint16),
+                       zoom)
     if plane.ndim == 2 and plane.size:
         values = plane[::-1].astype(np.float64)
         low, high = values.min(), values.max()
         return Picture(((values - low) * (255 / (high - low or 1))).astype(np.uint8), zoom)
-    raise Error(f"plane: an array of shape {plane.shape}; expected (height, width, 3 or 4) or (height, width)")
+    raise Error(
+        f"plane: an array of shape {plane.shape}; expected (height, width, 3 or 4) or (height, width)")
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:

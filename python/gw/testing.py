@@ -22,7 +22,8 @@ from ._gw import CommandList, Difference, Error, Machine, Profile, Recording
 
 def pytest_addoption(parser: Any) -> None:
     parser.addoption(
-        "--gw-update-goldens", action="store_true", default=False, help="gw: write goldens instead of comparing"
+        "--gw-update-goldens", action="store_true", default=False,
+        help="gw: write goldens instead of comparing"
     )
 
 
@@ -34,9 +35,11 @@ class Goldens:
         self.update = update
 
     @staticmethod
-    def recording(commands: CommandList, profile: Profile | str, width: int, height: int) -> Recording:
+    def recording(commands: CommandList, profile: Profile | str, width: int,
+                  height: int) -> Recording:
         """A list and the machine it is meant for."""
-        return Recording([commands], Profile(profile) if isinstance(profile, str) else profile, width, height)
+        return Recording([commands], Profile(profile) if isinstance(profile, str) else profile,
+                         width, height)
 
     def expect(self, actual: Recording | Machine, golden: str | os.PathLike[str]) -> None:
         """As expect_passes_equal."""
@@ -67,9 +70,9 @@ def expect_passes_equal(
     update: bool | None = None,
     test: str | None = None,
 ) -> None:
-    """Fails unless after every pass all planes and counters are as expected: those of a golden file,
-    on both machines, or of another recording. A machine must have been made with record=True. The
-    failure names pass, plane, pixel, both values, the stage, and pictures of the plane."""
+    """Fails unless after every pass all planes and counters are as expected: those of a golden
+    file, on both machines, or of another recording. A machine must have been made with record=True.
+    The failure names pass, plane, pixel, both values, the stage, and pictures of the plane."""
     __tracebackhide__ = True
     name = test or _test_name()
     recording = actual if isinstance(actual, Recording) else actual.recording()
@@ -110,7 +113,8 @@ def expect_planes_equal(actual: Any, expected: Any, plane: str = "plane") -> Non
     )
 
 
-def _fail_on(difference: Difference | None, name: str, what: str, recording: Recording | None = None) -> None:
+def _fail_on(difference: Difference | None, name: str, what: str, recording: Recording
+             | None = None) -> None:
     __tracebackhide__ = True
     if difference is None:
         return

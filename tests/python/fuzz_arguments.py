@@ -20,7 +20,8 @@ import gw
 import numpy as np
 
 SCENES = pathlib.Path(__file__).parents[2] / "scenes"
-RIGHT = (gw.Error, TypeError, ValueError, IndexError, KeyError, AttributeError, OverflowError, MemoryError, OSError,
+RIGHT = (gw.Error, TypeError, ValueError, IndexError, KeyError, AttributeError, OverflowError,
+         MemoryError, OSError,
          StopIteration, ZeroDivisionError, UnicodeError, KeyboardInterrupt, RecursionError)
 SECONDS = 2  # after which a call is interrupted, as by Ctrl-C
 
@@ -36,16 +37,22 @@ class Odd:
 
 
 def numbers(draw):
-    return draw.choice([0, 1, 2, 3, 7, 8, 16, 0.5, 1.0, -1, -0.0, True, 255, 256, 1e-30, 4095, 4097])
+    return draw.choice([0, 1, 2, 3, 7, 8, 16, 0.5, 1.0, -1, -0.0, True, 255, 256, 1e-30, 4095,
+                        4097])
 
 
 def wild(draw):
     return draw.choice([
-        None, float("nan"), float("inf"), -float("inf"), 2**31, -2**31, 2**32, 2**63, -2**63, 10**30, 1e300, 1e-320, "", "x" * 70000,
-        "vgx", "no such", b"\0\xff", [], [None], [[]], {}, {"a": 1}, (), (1,), (float("nan"),) * 3, [1e300] * 3, object(), Odd(), type, len,
-        np.zeros((0, 3)), np.zeros((2, 2, 4), np.uint8), np.full((3, 3), np.nan), np.array([[1, "a"]], object), np.array(["x"]),
-        np.zeros((2, 2), complex), np.zeros(3, [("a", int)]), np.broadcast_to(np.uint16(1), (2, 2**31, 4)), np.array(5), np.full((2, 3), 1e300),
-        np.zeros((4, 4)), np.full((4, 4), 1e200), np.array([[2**63]], np.uint64), np.arange(24).reshape(2, 3, 4)[::-1, :, ::2], 3j, range(3),
+        None, float("nan"), float("inf"), -float("inf"), 2**31, -2**31, 2**32, 2**63, -2**63,
+        10**30, 1e300, 1e-320, "", "x" * 70000,
+        "vgx", "no such", b"\0\xff", [], [None], [[]], {}, {"a": 1}, (), (1,), (float("nan"),) * 3,
+        [1e300] * 3, object(), Odd(), type, len,
+        np.zeros((0, 3)), np.zeros((2, 2, 4), np.uint8), np.full((3, 3), np.nan),
+        np.array([[1, "a"]], object), np.array(["x"]),
+        np.zeros((2, 2), complex), np.zeros(3, [("a", int)]),
+        np.broadcast_to(np.uint16(1), (2, 2**31, 4)), np.array(5), np.full((2, 3), 1e300),
+        np.zeros((4, 4)), np.full((4, 4), 1e200), np.array([[2**63]], np.uint64),
+        np.arange(24).reshape(2, 3, 4)[::-1, :, ::2], 3j, range(3),
         np.datetime64("2020-01-01"), memoryview(b"abcd"), "\ud800"])
 
 
@@ -72,12 +79,16 @@ class Pool:
     def __init__(self):
         scene = small_scene()
         self.by_type = {
-            "Machine": [gw.Machine("vgx", 16, 12), gw.Machine("opengl", 9, 9, reference=True, record=True)],
+            "Machine": [gw.Machine("vgx", 16, 12),
+                        gw.Machine("opengl", 9, 9, reference=True, record=True)],
             "CommandList": [small_list(), gw.CommandList()], "Scene": [scene, gw.Scene()],
             "Mesh": [gw.make_box(), gw.Mesh("Points", [[0, 0, 0]])],
-            "Texture": [gw.Texture(np.zeros((2, 2, 4), np.uint8))], "Recording": [gw.Recording([small_list()], "vgx", 8, 8)],
-            "Renderer": [gw.Renderer(scene, 12, 9)], "Radiosity": [gw.Radiosity(scene, hemicube=16, texels_per_unit=2)],
-            "HiddenRun": [gw.hidden.run(scene, "newell", width=16, height=12)], "Picture": [gw.picture(np.zeros((2, 3)))],
+            "Texture": [gw.Texture(np.zeros((2, 2, 4), np.uint8))],
+            "Recording": [gw.Recording([small_list()], "vgx", 8, 8)],
+            "Renderer": [gw.Renderer(scene, 12, 9)],
+            "Radiosity": [gw.Radiosity(scene, hemicube=16, texels_per_unit=2)],
+            "HiddenRun": [gw.hidden.run(scene, "newell", width=16, height=12)],
+            "Picture": [gw.picture(np.zeros((2, 3)))],
             "Object": scene.objects,
         }
 
@@ -114,15 +125,20 @@ def fitting(draw, kind, pool, folder):
     if kind == "bool":
         return draw.random() < 0.5
     if kind == "str":
-        return draw.choice(["newell", "bsp", "hierarchy", "raster", "radiosity", "sphere", "a", "radius", ""])
+        return draw.choice(["newell", "bsp", "hierarchy", "raster", "radiosity", "sphere", "a",
+                            "radius", ""])
     if kind in ("os.PathLike", "Path"):
-        return draw.choice([folder + "/a", folder + "/b.json", folder, folder + "/scene.obj", "/nowhere/at/all"])
+        return draw.choice([folder + "/a", folder + "/b.json", folder, folder + "/scene.obj",
+                            "/nowhere/at/all"])
     if kind == "bytes":
-        return draw.choice([b"", b"abc", pool.by_type["Recording"][0].encode(), pool.by_type["Recording"][0].encode()[:200]])
+        return draw.choice([b"", b"abc", pool.by_type["Recording"][0].encode(),
+                            pool.by_type["Recording"][0].encode()[:200]])
     if "ndarray" in kind:
-        return draw.choice([np.eye(4), np.zeros((3, 3)), np.zeros((2, 2, 4), np.uint16), np.zeros((2, 3)), [[0, 0, 0]] * 3])
+        return draw.choice([np.eye(4), np.zeros((3, 3)), np.zeros((2, 2, 4), np.uint16),
+                            np.zeros((2, 3)), [[0, 0, 0]] * 3])
     if kind == "function":
-        return draw.choice([lambda *a: [], lambda *a: None, lambda *a: [{"kind": "draw", "pieces": ["1"]}], len])
+        return draw.choice([lambda *a: [], lambda *a: None,
+                            lambda *a: [{"kind": "draw", "pieces": ["1"]}], len])
     if hasattr(gw, kind) and isinstance(getattr(gw, kind), type):
         return pool.one(draw, kind)
     return numbers(draw) if draw.random() < 0.5 else [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
@@ -135,7 +151,8 @@ def signature(name, function):
     if not found:
         import inspect
         try:
-            return [(n, str(p.annotation).split("|")[0], p.kind == p.KEYWORD_ONLY) for n, p in inspect.signature(function).parameters.items()
+            return [(n, str(p.annotation).split("|")[0], p.kind == p.KEYWORD_ONLY) for n,
+                    p in inspect.signature(function).parameters.items()
                     if n != "self"]
         except (TypeError, ValueError):
             return []
@@ -153,12 +170,15 @@ def targets():
     """(class or None, name): everything that can be called, read or set."""
     skipped = {"Error"}
     for name, value in vars(gw).items():
-        if name.startswith("_") or name in skipped or not getattr(value, "__module__", "").startswith("gw"):
+        if name.startswith("_") or name in skipped or not getattr(value, "__module__",
+            "").startswith("gw"):
             continue
         yield None, name
         if isinstance(value, type):
             for member in vars(value):
-                if not member.startswith("_") or member in ("__len__", "__iter__", "__next__", "__eq__", "__repr__", "__str__", "__copy__"):
+                if not member.startswith("_") or member in ("__len__", "__iter__", "__next__",
+                                                            "__eq__", "__repr__", "__str__",
+                                                            "__copy__"):
                     yield name, member
     for name in gw.hidden.__all__:
         yield "hidden", name
@@ -173,8 +193,10 @@ def call(draw, pool, folder, target):
             return function(wild(draw))
         fields = getattr(function, "_fields", None)
         if fields:
-            return function(**{f: value(field_kind(function, f)) for f in fields if draw.random() < 0.2})
-        arguments = signature("__init__", function.__init__) if isinstance(function, type) else signature(name, function)
+            return function(**{f: value(field_kind(function, f)) for f in fields
+                               if draw.random() < 0.2})
+        arguments = signature("__init__", function.__init__) if isinstance(function,
+            type) else signature(name, function)
     else:
         cls = getattr(gw, owner)
         member, function = vars(cls)[name], None
@@ -190,8 +212,10 @@ def call(draw, pool, folder, target):
         else:
             function, this = member, [one]
         arguments = signature(name, function)
-    positional = this + [value(kind) for _, kind, keyword in arguments if not keyword and draw.random() < 0.97]
-    keywords = {argument: value(kind) for argument, kind, keyword in arguments if keyword and draw.random() < 0.3}
+    positional = this + [value(kind) for _, kind, keyword in arguments if not keyword
+                         and draw.random() < 0.97]
+    keywords = {argument: value(kind) for argument, kind, keyword in arguments if keyword
+                and draw.random() < 0.3}
     if draw.random() < 0.02:
         positional.append(wild(draw))
     return function(*positional, **keywords)
@@ -223,7 +247,8 @@ def run(seed, everything):
                 repr(result)
             except RIGHT as error:
                 if not str(error) and not isinstance(error, (StopIteration, MemoryError)):
-                    raise SystemExit(f"seed {seed}, step {step}, {target}: {type(error).__name__} without a text")
+                    raise SystemExit(
+                        f"seed {seed}, step {step}, {target}: {type(error).__name__} without a text")
             finally:
                 signal.setitimer(signal.ITIMER_REAL, 0)
         os.chdir("/")

@@ -23,12 +23,14 @@ def interrupted(work):
 
 
 def whole_window():
-    return gw.Mesh("Triangles", [[-1, -1, 0], [3, -1, 0], [-1, 3, 0]], texcoords=[[0, 0], [9, 0], [0, 9]])
+    return gw.Mesh("Triangles", [[-1, -1, 0], [3, -1, 0], [-1, 3, 0]],
+                   texcoords=[[0, 0], [9, 0], [0, 9]])
 
 
 @pytest.mark.parametrize("reference", [False, True])
 def test_a_long_list_ends_and_the_machine_goes_on(reference):
-    machine = gw.Machine("vgx", 512 if reference else 2048, 512 if reference else 2048, reference=reference)
+    machine = gw.Machine("vgx", 512 if reference else 2048, 512 if reference else 2048,
+                         reference=reference)
     commands = gw.CommandList()
     commands.set_state(gw.State(blend=gw.BlendState(enable=True, src="One", dst="One")))
     for _ in range(20000):
@@ -95,7 +97,8 @@ def test_threads_that_share_objects_take_turns():
         try:
             for _ in range(15):
                 machine.execute(commands)
-                machine.passes(), machine.digests(), machine.readbacks(), machine.color.sum(), machine.recording()
+                machine.passes(), machine.digests(), machine.readbacks(), machine.color.sum(
+                    ), machine.recording()
                 drawer.draw()
                 drawer.rays(), drawer.passes()
                 solver.shoot()
@@ -110,7 +113,8 @@ def test_threads_that_share_objects_take_turns():
         thread.join()
     assert not failures
     assert len(machine.passes()) == 60 and solver.shots == 60
-    assert drawer.machine.digests()["color"] == gw.render(scene, 40, 30, samples=2).digests()["color"]
+    assert drawer.machine.digests()["color"] == gw.render(scene, 40, 30,
+                                                          samples=2).digests()["color"]
 
 
 def test_another_thread_runs_while_the_machine_draws():

@@ -19,9 +19,11 @@ def shown(source, names):
 @pytest.mark.parametrize("notebook", sorted(FOLDER.glob("*.ipynb")), ids=lambda n: n.stem)
 def test_a_notebook_runs_to_the_end_and_shows_pictures(notebook, monkeypatch):
     monkeypatch.chdir(FOLDER)
-    cells = [c for c in json.loads(notebook.read_text(encoding="utf-8"))["cells"] if c["cell_type"] == "code"]
+    cells = [c for c in json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+             if c["cell_type"] == "code"]
     names = {"__name__": "__main__"}
-    pictures = [value for cell in cells if hasattr(value := shown("".join(cell["source"]), names), "_repr_png_")]
+    pictures = [value for cell in cells
+                if hasattr(value := shown("".join(cell["source"]), names), "_repr_png_")]
     assert len(pictures) >= 2
     assert all(picture._repr_png_().startswith(b"\x89PNG") for picture in pictures)
     assert not any(output["output_type"] == "error" for cell in cells for output in cell["outputs"])

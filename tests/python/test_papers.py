@@ -17,7 +17,8 @@ def room():
     scene.add("room", gw.make_room((4, 3, 4)), gw.SceneMaterial(Kd=(0.6, 0.6, 0.6)))
     lamp = np.eye(4)
     lamp[1, 3] = 1.2
-    scene.add("lamp", gw.make_box((1, 0.1, 1)), gw.SceneMaterial(Ke=(9, 9, 9), Kd=(0, 0, 0)), world_from_object=lamp)
+    scene.add("lamp", gw.make_box((1, 0.1, 1)), gw.SceneMaterial(Ke=(9, 9, 9), Kd=(0, 0, 0)),
+              world_from_object=lamp)
     scene.camera = gw.Camera(eye=(0, 0, 1.9), at=(0, -0.3, -1), fov=60)
     return scene
 
@@ -38,7 +39,8 @@ def png_rows(file):
         kind, line = raw[y * stride], bytearray(raw[y * stride + 1:(y + 1) * stride])
         above = rows[y - 1] if y else np.zeros(width * 3, np.uint8)
         for i in range(len(line)):
-            a, b, c = (line[i - 3] if i >= 3 else 0), int(above[i]), (int(above[i - 3]) if i >= 3 else 0)
+            a, b, c = (line[i - 3] if i >= 3 else 0), int(above[i]), (int(above[i - 3]) if i >= 3
+                else 0)
             paeth = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
             line[i] = (line[i] + (0, a, b, (a + b) // 2, paeth)[kind]) & 255
         rows[y] = np.frombuffer(bytes(line), np.uint8)
@@ -50,14 +52,16 @@ def test_a_picture_has_the_bits_of_the_command(renderer, tmp_path):
     if not COMMAND or not os.path.exists(COMMAND):
         pytest.skip("no command gw")
     scene_file = SCENES / "rings.toml"
-    subprocess.run([COMMAND, "render", scene_file, "-o", tmp_path / "a.png", "--size", "80x60", "--renderer", renderer,
+    subprocess.run([COMMAND, "render", scene_file, "-o", tmp_path / "a.png", "--size", "80x60",
+                    "--renderer", renderer,
                     "--quiet"], check=True, capture_output=True)
     machine = gw.render(gw.Scene.open(scene_file), 80, 60, renderer)
     assert np.array_equal(gw.picture(machine.color).pixels, png_rows(tmp_path / "a.png"))
 
 
 def test_a_file_with_passes_of_its_own_is_drawn_with_them(tmp_path):
-    text = """
+    text =
+    """
 [[object]]
 shape = "teapot"
 
@@ -75,7 +79,8 @@ depth = {func = "Less", mask = true}
     machine = gw.render(scene_file, 80, 60)
     assert machine.color[..., 0].max() == 255 and machine.color[..., 1].max() == 0
     if COMMAND and os.path.exists(COMMAND):
-        subprocess.run([COMMAND, "render", scene_file, "-o", tmp_path / "a.png", "--size", "80x60", "--quiet"], check=True)
+        subprocess.run([COMMAND, "render", scene_file, "-o", tmp_path / "a.png", "--size", "80x60",
+                        "--quiet"], check=True)
         assert np.array_equal(gw.picture(machine.color).pixels, png_rows(tmp_path / "a.png"))
 
 
@@ -112,7 +117,8 @@ def test_custom_passes_and_components():
     summed = np.minimum(sum(i.astype(int) for i in images.values()), 255)
     assert np.array_equal(summed[..., :3], whole.color[..., :3])
     with pytest.raises(gw.Error, match="pass 0"):
-        gw.Renderer(scene, 8, 8, passes=[gw.Pass(name="late", depth=gw.DepthState(test=True, func="Equal"))])
+        gw.Renderer(scene, 8, 8,
+                    passes=[gw.Pass(name="late", depth=gw.DepthState(test=True, func="Equal"))])
 
 
 def test_item_buffer_and_rays():
@@ -123,7 +129,8 @@ def test_item_buffer_and_rays():
     renderer.draw()
     assert renderer.rays()["primary"] == 64 * 48
     slow, fast = (gw.cast_rays(scene, m, 32, 24) for m in ("brute_force", "hierarchy"))
-    assert np.array_equal(slow["color"], fast["color"]) and slow["tests"].sum() > fast["tests"].sum()
+    assert np.array_equal(slow["color"],
+                          fast["color"]) and slow["tests"].sum() > fast["tests"].sum()
     with pytest.raises(gw.Error, match="expected brute_force"):
         gw.cast_rays(scene, "magic")
     found = gw.renderer_differences(scene, 32, 24)
@@ -137,7 +144,8 @@ def test_radiosity_is_an_iterator_of_shots():
     books = solver.books()
     assert books["imbalance"] < 1e-9
     walls = solver.pixmaps()
-    assert all(p.ndim == 3 and p.shape[2] == 3 for p in walls.values()) and max(p.max() for p in walls.values()) > 1
+    assert all(p.ndim == 3 and p.shape[2] == 3 for p in walls.values()) and max(p.max()
+        for p in walls.values()) > 1
     row = solver.form_factors(0)
     assert row["factors"].sum() + row["backs"] + row["escaped"] == pytest.approx(1, abs=1e-9)
     assert solver.draw(width=64, height=48, brightness=0.2).color.max() > 20
@@ -148,7 +156,8 @@ def test_radiosity_is_an_iterator_of_shots():
     before = walls["room"].mean() if "room" in walls else max(p.mean() for p in walls.values())
     solver.update(dimmed)
     after = solver.pixmaps()
-    assert (after["room"].mean() if "room" in after else max(p.mean() for p in after.values())) < before
+    assert (after["room"].mean() if "room" in after
+            else max(p.mean() for p in after.values())) < before
     with pytest.raises(gw.Error, match="expected"):
         solver.form_factors(10**9)
 

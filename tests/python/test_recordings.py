@@ -32,9 +32,11 @@ def test_the_command_verifies_what_python_saved(tmp_path):
     recording = recorded()
     recording.save(tmp_path / "t.gwt")
     recording.save_manifest(tmp_path / "t.json")
-    done = subprocess.run([COMMAND, "verify", tmp_path / "t.gwt", tmp_path / "t.json"], capture_output=True)
+    done = subprocess.run([COMMAND, "verify", tmp_path / "t.gwt", tmp_path / "t.json"],
+                          capture_output=True)
     assert done.returncode == 0, done.stderr
-    said = subprocess.run([COMMAND, "pixel", tmp_path / "t.gwt", "30", "20", "--json"], capture_output=True)
+    said = subprocess.run([COMMAND, "pixel", tmp_path / "t.gwt", "30", "20", "--json"],
+                          capture_output=True)
     assert json.loads(said.stdout)["events"] == recording.pixel_history(30, 48 - 1 - 20)["events"]
 
 
@@ -65,7 +67,8 @@ def test_a_golden_is_written_by_the_flag_only_and_compared(tmp_path, goldens, mo
     text = str(failure.value)
     assert "pass 0 'triangle'" in text and "pixel" in text and "stage" in text
     pictures = [line.strip() for line in text.splitlines() if line.strip().endswith(".png")]
-    assert len(pictures) == 3 and all(open(p, "rb").read(8) == b"\x89PNG\r\n\x1a\n" for p in pictures)
+    assert len(pictures) == 3 and all(open(p, "rb").read(8) == b"\x89PNG\r\n\x1a\n"
+                                      for p in pictures)
 
 
 def test_two_recordings_are_compared():
@@ -88,6 +91,7 @@ def test_the_reference_machine_conforms_and_a_wrong_one_does_not():
         for name, counters, digests in play(recording):
             yield name, {**counters, "written": counters["written"] + 1}, digests
 
-    assert not any(result.agrees for result in gw.conformance.run(wrong, ["raster"]) if result.passes)
+    assert not any(result.agrees for result in gw.conformance.run(wrong, ["raster"])
+                   if result.passes)
     with pytest.raises(gw.Error, match="expected one of"):
         list(gw.conformance.run(play, ["no such group"]))

@@ -23,7 +23,8 @@ machine = gw.Machine("vgx", 64, 64, threads=1)
 commands = gw.CommandList()
 commands.clear(color=(0, 0, 0, 1), depth=1.0)
 commands.set_state(gw.State(depth=gw.DepthState(test=True, func="LEqual")))
-commands.draw(gw.Mesh("Triangles", [[0, 0, 0], [1, 0, 0], [0, 1, 0]]), material=gw.Material(Kd=(1, 0, 0)))
+commands.draw(gw.Mesh("Triangles", [[0, 0, 0], [1, 0, 0], [0, 1, 0]]),
+              material=gw.Material(Kd=(1, 0, 0)))
 machine.execute(commands)
 height: int = machine.color.shape[0]
 gw.picture(machine.color).save("a.png")
@@ -38,8 +39,10 @@ WRONG
 def mypy(tmp_path, text, *more):
     pytest.importorskip("mypy")
     (tmp_path / "program.py").write_text(text)
-    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(CACHE), *more, "program.py"],
-                          cwd=tmp_path, env={"MYPYPATH": str(PACKAGE.parent), "PATH": "/usr/bin:/bin"},
+    return subprocess.run([sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(CACHE),
+                           *more, "program.py"],
+                          cwd=tmp_path, env={"MYPYPATH": str(PACKAGE.parent), "PATH":
+                                             "/usr/bin:/bin"},
                           capture_output=True, text=True)
 
 
@@ -58,10 +61,13 @@ def test_the_notebooks_pass_mypy(tmp_path):
     """Strictly, but for functions that the class reads without annotations."""
     cells = []
     for notebook in sorted(NOTEBOOKS.glob("*.ipynb")):
-        sources = [c["source"] for c in json.loads(notebook.read_text(encoding="utf-8"))["cells"] if c["cell_type"] == "code"]
-        (tmp_path / f"{notebook.stem}.py").write_text("\n".join("".join(source) for source in sources) + "\n")
+        sources = [c["source"] for c in json.loads(notebook.read_text(encoding="utf-8"))["cells"]
+                   if c["cell_type"] == "code"]
+        (tmp_path / f"{notebook.stem}.py").write_text("\n".join("".join(source)
+            for source in sources) + "\n")
         cells.append(f"{notebook.stem}.py")
-    done = mypy(tmp_path, "", "--allow-untyped-defs", "--allow-untyped-calls", "--allow-incomplete-defs",
+    done = mypy(tmp_path, "", "--allow-untyped-defs", "--allow-untyped-calls",
+                "--allow-incomplete-defs",
                 "--no-warn-return-any", *cells)
     assert done.returncode == 0, done.stdout + done.stderr
 

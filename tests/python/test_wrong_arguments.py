@@ -28,9 +28,11 @@ def scene_with(**members):
 @pytest.mark.parametrize("members, message", [
     ({"materials": []}, "object 'box', material: 0; expected a scene with materials"),
     ({"objects": [gw.Object(name="empty")]}, "object 'empty', mesh: None"),
-    ({"materials": [gw.SceneMaterial(name="m", Kd=(float("nan"), 0, 0))]}, "material 'm', Kd: nan; expected 0 .. "),
+    ({"materials": [gw.SceneMaterial(name="m", Kd=(float("nan"), 0, 0))]},
+     "material 'm', Kd: nan; expected 0 .. "),
     ({"materials": [gw.SceneMaterial(name="m", d=-1)]}, "material 'm', d: -1; expected 0 .. 1"),
-    ({"lights": [gw.SceneLight(name="l", direction=(0, 0, 0))]}, "light 'l', direction: 0; expected a direction"),
+    ({"lights": [gw.SceneLight(name="l", direction=(0, 0, 0))]},
+     "light 'l', direction: 0; expected a direction"),
     ({"camera": gw.Camera(eye=(1, 1, 1), at=(1, 1, 1))}, "camera, at: the eye"),
     ({"camera": gw.Camera(fov=float("nan"))}, "camera, fov: nan; expected 0.1 .. 179"),
     ({"fog": gw.Fog(start=2, end=1)}, "fog, end: not beyond start"),
@@ -38,8 +40,10 @@ def scene_with(**members):
 ])
 def test_a_scene_with_values_that_no_file_can_have_is_refused_by_every_user(members, message):
     scene = scene_with(**members)
-    for use in (lambda: gw.render(scene, 8, 8), lambda: gw.item_buffer(scene, 8, 8), lambda: gw.Radiosity(scene),
-                lambda: gw.hidden.run(scene, "newell"), lambda: gw.cast_rays(scene), lambda: gw.components(scene)):
+    for use in (lambda: gw.render(scene, 8, 8), lambda: gw.item_buffer(scene, 8, 8),
+                lambda: gw.Radiosity(scene),
+                lambda: gw.hidden.run(scene, "newell"), lambda: gw.cast_rays(scene),
+                lambda: gw.components(scene)):
         with pytest.raises(gw.Error, match=message):
             use()
 
@@ -78,7 +82,8 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.CommandList().write_spans([[0, 0, 1.5, 0]], [[0, 0, 0, 0]]), "whole numbers"),
     (lambda: gw.CommandList().draw(None), "incompatible function arguments"),
     (lambda: setattr(gw.SceneMaterial(), "map_Kd", [None]), "expected a Texture"),
-    (lambda: gw.hidden.run(scene_with(), "newell").sentence(0, "fr"), "language: 'fr'; expected en or ja"),
+    (lambda: gw.hidden.run(scene_with(), "newell").sentence(0, "fr"),
+     "language: 'fr'; expected en or ja"),
 ])
 def test_wrong_values_are_named_with_their_limits(wrong, message):
     with pytest.raises((ValueError, TypeError), match=message):
