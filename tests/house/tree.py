@@ -1,4 +1,5 @@
-"""The tracked files of this repository, and the comments and words of a source. Used by the checks beside it."""
+"""The tracked files of this repository, and the comments and words of a source. Used by the checks
+beside it."""
 
 import pathlib
 import re
@@ -17,7 +18,8 @@ _pieces = re.compile(
 
 
 def tracked_files():
-    """Paths relative to the root: what git tracks, or would with `git add`; without git, every file."""
+    """Paths relative to the root: what git tracks, or would with `git add`; without git, every
+    file."""
     listed = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard"],
         cwd=root, capture_output=True, text=True)
@@ -35,9 +37,10 @@ def is_source(name):
     return name.endswith((".h", ".cpp"))
 
 
-def _is_script(name):
+def is_script(name):
     path = root / name
-    return name.endswith((".py", ".cmake", "CMakeLists.txt")) or ("." not in path.name and text_of(name).startswith("#!"))
+    return name.endswith((".py", ".cmake", "CMakeLists.txt")) or ("." not in path.name
+        and text_of(name).startswith("#!"))
 
 
 def comments_of(name):
@@ -50,9 +53,10 @@ def comments_of(name):
                 first = text.count("\n", 0, match.start()) + 1
                 found += [(first + i, line) for i, line in enumerate(match["comment"].split("\n"))]
         return found
-    if _is_script(name):
+    if is_script(name):
         lines = enumerate(text.split("\n"), 1)
-        return [(n, found[1]) for n, line in lines if (found := re.search(r"(?:^|\s)#([^!].*)", line))]
+        return [(n, found[1]) for n, line in lines
+                if (found := re.search(r"(?:^|\s)#([^!].*)", line))]
     return []
 
 
@@ -61,7 +65,7 @@ def code_of(name):
     text = text_of(name)
     if is_source(name):
         return _pieces.sub(lambda match: " " if match["comment"] else match[0], text)
-    if _is_script(name):
+    if is_script(name):
         return re.sub(r"(?m)(?:^|(?<=\s))#[^!].*$", "", text)
     return text
 
