@@ -3,6 +3,7 @@
 
 #include "apps/render/frame_files.h"
 #include "image/output/output_set.h"
+#include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/recording/stream.h"
 

@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 #include "image/output/output_set.h"
+#include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/testing/failure_files.h"
 

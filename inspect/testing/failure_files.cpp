@@ -4,6 +4,7 @@
 #include "image/output/output_set.h"
 #include "image/plane_pictures.h"
 #include "image/write.h"
+#include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/replay/plane_values.h"
 

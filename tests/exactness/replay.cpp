@@ -3,6 +3,7 @@
 // scripts/exactness makes the files. Prints "recordings AGREE OF", counting each machine. Exit 3
 // if one differs, 1 for an error, 2 for usage.
 #include "gw/error.h"
+#include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/recording/recording.h"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
+#include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"
 #include "inspect/testing/expect_passes.h"
 #include "inspect/testing/failure_files.h"
