@@ -5,6 +5,7 @@
 #include "conformance/suite.h"
 #include "gw/shown.h"
 #include "image/output/output_set.h"
+#include "inspect/compare/verify.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

@@ -9,6 +9,7 @@
 #include "image/plane_pictures.h"
 #include "image/write.h"
 #include "inspect/compare/difference.h"
+#include "inspect/compare/verify.h"
 #include "inspect/recording/read_bytes.h"
 
 #include <fmt/format.h>

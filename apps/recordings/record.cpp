@@ -5,6 +5,7 @@
 #include "gw/error.h"
 #include "hiddensurface/interface/algorithm.h"
 #include "image/output/output_set.h"
+#include "inspect/compare/verify.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,4 +1,5 @@
 // gw verify: compares a recording's replay with its manifest.
+#include "inspect/compare/verify.h"
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
