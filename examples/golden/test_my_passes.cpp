@@ -2,7 +2,7 @@
 #include <inspect/testing/expect_passes.h>
 #include <multipass/frame/driver.h>
 #include <multipass/passes/pass_toml.h>
-#include <scene/read_scene.h>
+#include <scene/toml/read_scene.h>
 
 #include <gtest/gtest.h>
 
