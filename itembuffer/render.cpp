@@ -1,9 +1,9 @@
 #include "itembuffer/render.h"
 
 #include "itembuffer/traced_component.h"
-#include "multipass/steps/pass_model.h"
 #include "multipass/passes/catalogue.h"
 #include "multipass/shadow/shadow_lookup.h"
+#include "multipass/steps/pass_model.h"
 #include "scene/draw/item_buffer.h"
 
 #include <algorithm>

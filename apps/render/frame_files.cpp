@@ -10,8 +10,8 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
-#include "multipass/frame/scene_maps.h"
 #include "multipass/frame/driver.h"
+#include "multipass/frame/scene_maps.h"
 #include "multipass/steps/schedule.h"
 #include "scene/draw/draw_commands.h"
 

@@ -1,8 +1,8 @@
 #include "apps/render/view_drawer.h"
 
 #include "itembuffer/render.h"
-#include "multipass/frame/scene_maps.h"
 #include "multipass/frame/driver.h"
+#include "multipass/frame/scene_maps.h"
 
 namespace gw::apps {
 

@@ -8,8 +8,8 @@
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "scene/draw/fit.h"
-#include "scene/toml/read_scene.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/read_scene.h"
 #include "test_paths.h"
 #include "tests/temporary_folder.h"
 
