@@ -4,7 +4,7 @@
 #include "inspect/recording/recording.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "python/binding/casters.h"
-#include "python/binding/running.h"
+#include "python/binding/interpreter/running.h"
 #include "python/binding/slices.h"
 
 #include <mutex>

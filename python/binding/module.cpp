@@ -5,8 +5,8 @@
 #include "gw/machine.h"
 #include "image/output/output_file.h"
 #include "python/binding/casters.h"
-#include "python/binding/running.h"
-#include "python/binding/sealed.h"
+#include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/sealed.h"
 
 #include <new>
 #include <stdexcept>

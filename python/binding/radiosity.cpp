@@ -6,9 +6,9 @@
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
 #include "python/binding/fields.h"
+#include "python/binding/interpreter/running.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
-#include "python/binding/running.h"
 
 namespace gw::python {
 namespace {

@@ -18,10 +18,10 @@
 #include "inspect/replay/player.h"
 #include "python/binding/arrays.h"
 #include "python/binding/fields.h"
+#include "python/binding/interpreter/running.h"
 #include "python/binding/lists.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
-#include "python/binding/running.h"
 
 #include <nlohmann/json.hpp>
 

@@ -12,9 +12,9 @@
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
 #include "python/binding/fields.h"
+#include "python/binding/interpreter/running.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
-#include "python/binding/running.h"
 #include "raytrace/casting/cast_picture.h"
 #include "scene/draw/item_buffer.h"
 

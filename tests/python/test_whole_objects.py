@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 SCENES = pathlib.Path(__file__).parents[2] / "scenes"
-CLASSES = [value for value in vars(gw).values() if isinstance(value, type) and value.__module__.startswith("gw._gw")
-           and not issubclass(value, Exception)]
+CLASSES = [value for value in vars(gw).values() if isinstance(value, type)
+           and value.__module__.startswith("gw._gw") and not issubclass(value, Exception)]
 BASE = gw.State.__mro__[1]
 BOX = gw.make_box()
 
@@ -38,7 +38,8 @@ def test_no_object_without_its_constructor(kind):
 
 
 def test_no_object_of_the_base_of_all_classes():
-    for attempt in (BASE, lambda: BASE.__new__(BASE), lambda: BASE.__new__(), lambda: BASE.__new__(1)):
+    new = BASE.__new__
+    for attempt in (BASE, lambda: new(BASE), lambda: new(), lambda: new(1)):
         with pytest.raises(TypeError):
             attempt()
 
@@ -109,7 +110,8 @@ def test_a_file_is_replaced_whole_or_stays(tmp_path, name):
     link = tmp_path / "link"
     link.symlink_to(file)
     save(link)
-    assert link.is_symlink() and stat.S_IMODE(file.stat().st_mode) == 0o600 and file.read_bytes() == whole
+    assert link.is_symlink() and file.read_bytes() == whole
+    assert stat.S_IMODE(file.stat().st_mode) == 0o600
     save(tmp_path / ("n" * 250 + ".png"))
     with pytest.raises(gw.Error, match="cannot be written"):
         save(tmp_path / "missing" / name)
@@ -142,7 +144,8 @@ def draw():
 threading.Thread(target=draw, daemon=True).start()
 time.sleep(0.5)
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
     assert (done.returncode, done.stderr) == (0, "")
 
 

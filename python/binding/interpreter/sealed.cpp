@@ -1,4 +1,4 @@
-#include "python/binding/sealed.h"
+#include "python/binding/interpreter/sealed.h"
 
 namespace gw::python {
 namespace {

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "gw/base/cancel.h"
-#include "python/binding/casters.h"
+
+#include <pybind11/pybind11.h>
 
 #include <chrono>
 #include <future>

@@ -1,4 +1,4 @@
-#include "python/binding/running.h"
+#include "python/binding/interpreter/running.h"
 
 #include "gw/error.h"
 
