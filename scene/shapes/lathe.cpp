@@ -44,7 +44,7 @@ public:
     Pen& curve(dvec2 control1, dvec2 control2, dvec2 to) {
         return add({at_, control1, control2, to, false});
     }
-    Profile done() { return std::move(profile_); }
+    LatheProfile done() { return std::move(profile_); }
 
 private:
     Pen& add(const ProfileCurve& curve) {
@@ -52,13 +52,13 @@ private:
         at_ = curve.to;
         return *this;
     }
-    Profile profile_;
+    LatheProfile profile_;
     dvec2 at_;
 };
 
 }  // namespace
 
-MeshData make_lathe(const Profile& profile, int slices, int segments) {
+MeshData make_lathe(const LatheProfile& profile, int slices, int segments) {
     double length = 0;
     std::vector<std::vector<ProfilePoint>> curves;
     for (const ProfileCurve& curve : profile) curves.push_back(rows_of(curve, segments, length));
@@ -70,7 +70,7 @@ MeshData make_lathe(const Profile& profile, int slices, int segments) {
     return mesh;
 }
 
-Profile bottle_profile() {
+LatheProfile bottle_profile() {
     return Pen({0, 0.03})
         .curve({0.06, 0.03}, {0.12, 0.02}, {0.15, 0})       // a hollow under the bottom
         .curve({0.18, 0}, {0.19, 0.015}, {0.19, 0.05})      //
@@ -86,7 +86,7 @@ Profile bottle_profile() {
         .done();
 }
 
-Profile bowl_profile() {
+LatheProfile bowl_profile() {
     return Pen({0, 0.06})
         .line({0.24, 0.06})                                //
         .line({0.26, 0})                                   // foot
@@ -99,7 +99,7 @@ Profile bowl_profile() {
         .done();
 }
 
-Profile goblet_profile() {
+LatheProfile goblet_profile() {
     return Pen({0, 0})
         .line({0.27, 0})                                      //
         .curve({0.3, 0}, {0.3, 0.03}, {0.27, 0.035})          // foot
@@ -115,7 +115,7 @@ Profile goblet_profile() {
         .done();
 }
 
-Profile pedestal_profile() {
+LatheProfile pedestal_profile() {
     return Pen({0, 0})
         .line({0.3, 0})                                     //
         .line({0.3, 0.06})                                  // plinth
@@ -129,7 +129,7 @@ Profile pedestal_profile() {
         .done();
 }
 
-Profile vase_profile() {
+LatheProfile vase_profile() {
     return Pen({0, 0.02})
         .line({0.13, 0.02})                                 //
         .line({0.14, 0})                                    // foot

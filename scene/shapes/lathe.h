@@ -15,18 +15,18 @@ struct ProfileCurve {
 };
 
 /// Curves end to end, outside to their right, starting and ending on the axis.
-using Profile = std::vector<ProfileCurve>;
+using LatheProfile = std::vector<ProfileCurve>;
 
 /// `segments` rows of triangles on each curve, one on each line; edges are sharp between curves
 /// that meet at an angle. s once round, t along the profile by its length.
-MeshData make_lathe(const Profile& profile, int slices, int segments);
+MeshData make_lathe(const LatheProfile& profile, int slices, int segments);
 
 /// Profiles drawn for our scenes. All are 1 high and stand on y = 0.
-Profile bottle_profile();
-Profile bowl_profile();
-Profile goblet_profile();
-Profile pedestal_profile();  ///< a round column with base and plate, solid
-Profile vase_profile();
+LatheProfile bottle_profile();
+LatheProfile bowl_profile();
+LatheProfile goblet_profile();
+LatheProfile pedestal_profile();  ///< a round column with base and plate, solid
+LatheProfile vase_profile();
 
 /// A point of the profile curve: (distance from the axis, height).
 struct ProfilePoint {

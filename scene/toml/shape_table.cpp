@@ -20,7 +20,7 @@ ShapeParameter number(const char* name, int value, int low, int high = 4096) {
             true};
 }
 
-Shape lathe(const char* name, Profile (*profile)()) {
+Shape lathe(const char* name, LatheProfile (*profile)()) {
     return {name,
             {number("slices", 64, 3), number("segments", 12, 1, 256)},
             [profile](const Values& v) { return make_lathe(profile(), whole(v[0]), whole(v[1])); },
