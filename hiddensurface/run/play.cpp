@@ -41,7 +41,7 @@ bool is_on_line(const dvec3& line, const dvec3& p) {
 }
 
 /// True but for bends within that rounding.
-bool is_convex(const Loop& loop) {
+bool bends_one_way(const Loop& loop) {
     bool left = false, right = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const dvec3 &a = loop[i], &b = loop[(i + 1) % loop.size()],
@@ -247,7 +247,7 @@ private:
 
     void add_pixels(const Piece& piece, std::vector<Painted>& painted) const {
         const Polygon& polygon = input_.polygons[piece.polygon];
-        if (!piece.cuts.empty() && !is_convex(piece.parts.front()))
+        if (!piece.cuts.empty() && !bends_one_way(piece.parts.front()))
             throw Error("the outline of '" + piece.name +
                         "' is not convex; expected convex lists of points, or 'painted'");
         for (const Run& run : runs_of(piece, polygon, input_.subpixel_bits(), input_.window()))
