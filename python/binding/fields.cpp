@@ -3,13 +3,13 @@
 namespace gw::python {
 namespace {
 
-std::string type_name(const py::object& object) {
+std::string class_name(const py::object& object) {
     return py::type::of(object).attr("__name__").cast<std::string>();
 }
 
 std::string expectation(const py::object& old) {
     if (py::isinstance<py::bool_>(old)) return "bool";
-    return type_name(old);
+    return class_name(old);
 }
 
 }  // namespace
