@@ -2,6 +2,7 @@
 // Does not play them: their manifests hold the expected results.
 #pragma once
 
+#include "conformance/groups.h"
 #include "inspect/recording/recording.h"
 
 #include <string>
@@ -9,13 +10,7 @@
 
 namespace gw::conformance {
 
-/// Recordings about one subject.
-struct Group {
-    std::string name;   ///< its recordings are "NAME_01", "NAME_02", ...
-    std::string about;  ///< one line
-    std::string rules;  ///< reached: "R6.15-R6.19 R9.4"
-};
-/// In the order of the manual's chapters.
+/// Those that have recordings, in the order of the manual's chapters.
 const std::vector<Group>& groups();
 
 struct Member {

@@ -1,12 +1,10 @@
 // Depths: polygon offset, and gradients half-way between two integers.
-#include "conformance/directed/directed.h"
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 
 namespace gw::conformance {
-
-using namespace fuzz;
 
 // Polygon offset: slopes from flat to slivers', factors and units of every size and sign.
 Case offset_case(Random& r) {

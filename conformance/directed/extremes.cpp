@@ -1,23 +1,21 @@
 // Values at the ends of their ranges: lights, texture coordinates.
-#include "conformance/directed/directed.h"
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 
 namespace gw::conformance {
 
-using namespace fuzz;
-
 // Lighting at the ends of its range: lengths that overflow or vanish, infinite strengths, NaN.
 namespace {
 
 /// A component of any size, from 0 to the largest.
-float any_size(Random& r) {
+float extreme_size(Random& r) {
     return r.pick({0.0f, 1.0f, -1.0f, 1e-45f, 1e-30f, 3e38f, -3e38f, 1e20f, 0.5f, -2.0f});
 }
-vec3 any_vector(Random& r) { return {any_size(r), any_size(r), any_size(r)}; }
+vec3 any_vector(Random& r) { return {extreme_size(r), extreme_size(r), extreme_size(r)}; }
 
-Light any_light(Random& r) {
+Light extreme_light(Random& r) {
     Light light;
     const vec3 position = any_vector(r);
     light.position = vec4(position, r.pick({0.0f, 1.0f, -1.0f, 1e-30f}));
@@ -67,10 +65,10 @@ Case extreme_lights_case(Random& r) {
                       any_vector(r),
                       any_vector(r),
                       r.pick({0.0f, 1.0f, 10000.0f, 0.25f}),
-                      any_size(r)};
+                      extreme_size(r)};
         std::vector<Light> lights;
         const int count = r.between(0, 3);
-        for (int k = 0; k < count; ++k) lights.push_back(any_light(r));
+        for (int k = 0; k < count; ++k) lights.push_back(extreme_light(r));
         d.lights = std::make_shared<const std::vector<Light>>(std::move(lights));
         s.out.list.add(std::move(d));
     }

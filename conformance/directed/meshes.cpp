@@ -1,13 +1,11 @@
 // Meshes of every primitive, over windows of whole and cut blocks.
-#include "conformance/directed/directed.h"
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/mesh.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
 
 namespace gw::conformance {
-
-using namespace fuzz;
 
 // Every primitive, with and without indices, identifiers, sizes and each array of values.
 namespace {

@@ -1,5 +1,5 @@
 // Polygons that are concave, touch or cross themselves, or are bent by the snap after a cut.
-#include "conformance/directed/directed.h"
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
@@ -7,8 +7,6 @@
 #include <algorithm>
 
 namespace gw::conformance {
-
-using namespace fuzz;
 
 // Polygons with corners on a coarse grid, so that corners repeat, touch sides and lie on lines.
 // They are concave, touch themselves or cross themselves, and are seen along every axis.

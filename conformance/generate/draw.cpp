@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 vec3 any_color3(Random& r) { return {any_fraction(r), any_fraction(r), any_fraction(r)}; }
@@ -104,4 +104,4 @@ void draw(Script& s, MeshRef mesh, int mapped_percent) {
     add(s, any_draw(s, std::move(mesh), mapped_percent));
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -4,7 +4,7 @@
 #include "conformance/generate/mesh.h"
 #include "conformance/generate/script.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 Material any_material(Random& random);
 /// At most `most` lights around the eye distances 0 .. depth.
@@ -23,4 +23,4 @@ void draw(Script& script, MeshRef mesh, int mapped_percent = 0);
 /// The largest eye distance of the script's vertices, for fog and lights.
 double eye_depth(const Frame& frame);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 /// clip = (2 x / width - w, 2 y / height - w, z, w), eye space looking down -z.
@@ -113,4 +113,4 @@ double any_z(Random& r, const Frame& f) {
     return r.pick({-1.0, 1.0, -1 - 0x1p-23, 1 + 0x1p-22, 0x1p-100, -1e9, 1e9});
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

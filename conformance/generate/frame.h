@@ -5,7 +5,7 @@
 #include "gw/profile.h"
 #include "gw/state.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 /// A projection and a transform; `place` inverts both.
 struct Frame {
@@ -32,4 +32,4 @@ double any_coordinate(Random& random, int size, int subpixel_bits);
 /// A z for `place`: on planes, between them, outside.
 double any_z(Random& random, const Frame& frame);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 using Points = std::vector<dvec3>;  ///< window positions, as place() takes them
@@ -238,4 +238,4 @@ MeshRef same_faces(Random& r, const Mesh& mesh) {
     return make_mesh(data);
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

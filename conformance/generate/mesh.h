@@ -5,7 +5,7 @@
 #include "conformance/generate/frame.h"
 #include "gw/mesh.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 /// The attributes of a mesh and its depths.
 struct MeshWish {
@@ -27,4 +27,4 @@ MeshRef cover_mesh(Random& random, const Frame& frame, const MeshWish& wish, dou
 /// A mesh of the same pixels by other primitives, in another order, with rotated vertices.
 MeshRef same_faces(Random& random, const Mesh& mesh);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

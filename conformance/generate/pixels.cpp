@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <bit>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 std::uint32_t any_value(Random& r, int bits) {
@@ -188,4 +188,4 @@ void copy_texture(Script& s, Plane plane) {
     add(s, CopyTexture{slot, plane, rect});
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -4,7 +4,7 @@
 
 #include "conformance/generate/case.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 struct Script;
 
@@ -21,4 +21,4 @@ void copy_texture(Script& script, Plane plane);
 
 Rgba any_pixel(Random& random, int color_bits);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 /// The finalizer of splitmix64 [Steele, Lea, Flood 2014]: a bijection whose every output bit
 /// depends on every input bit.
@@ -80,4 +80,4 @@ constexpr std::uint64_t seed_of(std::string_view suite, std::uint64_t index) {
     return mixed(h ^ index);
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 /// A side, mostly small, seldom a few tiles of 64, so that a list stays cheap.
@@ -95,4 +95,4 @@ void between_draws(Script& s) {
     if (r.chance(5)) s.out.list.add(any_read(r, s.out));
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

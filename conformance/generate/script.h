@@ -5,7 +5,7 @@
 #include "conformance/generate/case.h"
 #include "conformance/generate/frame.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 struct Script {
     Random& random;
@@ -36,4 +36,4 @@ void add(Script& script, Command command);
 /// Sometimes adds a new pass, digests or a read-back, as hosts do between draws.
 void between_draws(Script& script);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 StencilOp any_stencil_op(Random& r, const Profile& p) {
@@ -191,4 +191,4 @@ TextureState any_texture_state(Random& r) {
     return t;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -6,7 +6,7 @@
 #include "gw/profile.h"
 #include "gw/state.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 AlphaState any_alpha(Random& random);
 BlendState any_blend(Random& random);
@@ -35,4 +35,4 @@ TextureState any_texture_state(Random& random);
 float any_fraction(Random& random);
 vec4 any_color(Random& random);
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -1,8 +1,8 @@
 // Runs a list on two machines: command by command, whole, and in pieces. Does not print.
 #pragma once
 
-#include "conformance/generate/case.h"
 #include "tests/fuzz/check/compare.h"
+#include "tests/fuzz/suites.h"
 
 #include <functional>
 #include <memory>

@@ -1,9 +1,9 @@
 // Equality of recordings by content: meshes, maps and lights are compared by value.
 #pragma once
 
-#include "conformance/generate/case.h"
 #include "inspect/recording/content.h"
 #include "inspect/recording/recording.h"
+#include "tests/fuzz/suites.h"
 
 namespace gw::inspect {
 

@@ -2,7 +2,7 @@
 // text is not read back; a command line repeats the case.
 #pragma once
 
-#include "conformance/generate/case.h"
+#include "tests/fuzz/suites.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // The planes that vary and the counters that move in a range of lists. Does not compare machines.
 #pragma once
 
-#include "conformance/generate/case.h"
+#include "tests/fuzz/suites.h"
 
 #include "gw/machine.h"
 

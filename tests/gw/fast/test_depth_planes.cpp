@@ -123,7 +123,7 @@ TEST(DepthPlanes, ManyOfThem) {
 }
 
 /// A sheet whose depths are near those of all others, or a triangle of such a sheet.
-Draw any_sheet(fuzz::Random& r) {
+Draw any_sheet(conformance::Random& r) {
     const int reach = r.pick({1, 3, 40, 2000});
     MeshData data = mesh_data(Primitive::Triangles, {});
     const double low = 10000 + r.between(-reach, reach), right = 10000 + r.between(-reach, reach);
@@ -135,7 +135,7 @@ Draw any_sheet(fuzz::Random& r) {
     }
     return {.mesh = make_mesh(std::move(data)), .id_base = r.bits(24)};
 }
-void change(fuzz::Random& r, State& state) {
+void change(conformance::Random& r, State& state) {
     state.depth = {true, r.chance(50) ? DepthFunc::Less : r.any(DepthFunc::Always), r.chance(80)};
     state.blend = {r.chance(30), BlendFactor::One, BlendFactor::One};
     const bool color = r.chance(60);
@@ -146,7 +146,7 @@ void change(fuzz::Random& r, State& state) {
 TEST(DepthPlanes, AnySheets) {
     for (std::uint64_t list_number = 0; list_number < 100; ++list_number) {
         SCOPED_TRACE(list_number);
-        fuzz::Random r(fuzz::seed_of("held planes", list_number));
+        conformance::Random r(conformance::seed_of("held planes", list_number));
         Profile profile = r.chance(50) ? vgx() : ideal();
         profile.color_bits = profile.lit_bits = 8;  // for packed reads
         Workbench bench(profile, width, height);

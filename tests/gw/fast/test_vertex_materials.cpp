@@ -10,7 +10,7 @@ namespace {
 constexpr int side = 64;
 
 /// Triangles in the window, each vertex with one of `materials`.
-MeshRef any_mesh(fuzz::Random& r, std::vector<FaceMaterials> materials) {
+MeshRef any_mesh(conformance::Random& r, std::vector<FaceMaterials> materials) {
     MeshData data{.primitive = Primitive::Triangles};
     for (int i = 0, n = 3 * r.between(1, 16); i < n; ++i) {
         data.positions.push_back(
@@ -25,10 +25,10 @@ MeshRef any_mesh(fuzz::Random& r, std::vector<FaceMaterials> materials) {
 TEST(VertexMaterials, HaveTheBitsOfTheReference) {
     for (std::uint64_t seed = 0; seed < 80; ++seed) {
         SCOPED_TRACE(seed);
-        fuzz::Random r(fuzz::seed_of("vertex materials", seed));
+        conformance::Random r(conformance::seed_of("vertex materials", seed));
         std::vector<FaceMaterials> materials;
         for (int i = 0; i < 4; ++i)
-            materials.push_back({fuzz::any_material(r), fuzz::any_material(r)});
+            materials.push_back({conformance::any_material(r), conformance::any_material(r)});
         if (r.chance(70))
             for (FaceMaterials& m : materials) m.front.Ns = materials[0].front.Ns;
         if (r.chance(70))
@@ -39,7 +39,7 @@ TEST(VertexMaterials, HaveTheBitsOfTheReference) {
         bench.state.lighting.local_viewer = r.chance(50);
         bench.state.normalize = r.chance(50);
         bench.draw({.mesh = any_mesh(r, std::move(materials)),
-                    .lights = fuzz::any_lights(r, 3, double(1 << 22))});
+                    .lights = conformance::any_lights(r, 3, double(1 << 22))});
     }
 }
 

@@ -1,6 +1,6 @@
 // Hundreds of short lists on one pair of machines. Most meshes and textures are deleted after their
 // list, so that later ones may have their addresses; the others are used again. Random lists of
-// conformance/suites are alone on their machines and keep everything.
+// conformance/random are alone on their machines and keep everything.
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/script.h"

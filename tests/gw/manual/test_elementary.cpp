@@ -133,7 +133,7 @@ TEST(ManualElementary, TheTablesOfThePageAreTheMachines) {
 
 // [R3.1] [R3.2] [R3.3] [R3.4] [R3.5] [R3.6] [R3.7]
 TEST(ManualElementary, ThePagesAlgorithmsAreTheMachines) {
-    fuzz::Random r(3);
+    conformance::Random r(3);
     for (int i = 0; i < 200000; ++i) {
         const double x = r.chance(20) ? r.scaled(0.5, 1, -1070, 0) : r.real(0, 1);
         const double y = r.chance(50) ? r.between(0, 128) : float(r.scaled(0, 1, -10, 14));

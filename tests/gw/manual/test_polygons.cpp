@@ -170,7 +170,7 @@ std::string text(const Corners& q) {
 
 // [R7.3] [R7.4] [R7.5] [R7.6] [R7.7] [R7.8]
 TEST(ManualPolygons, ThePagesPseudoCodeMakesTheMachinesTriangles) {
-    fuzz::Random r(7);
+    conformance::Random r(7);
     for (int i = 0; i < 30000; ++i) {
         Corners q;
         const int count = r.between(4, r.chance(5) ? 60 : 14), side = r.between(1, 8);
@@ -183,7 +183,7 @@ TEST(ManualPolygons, ThePagesPseudoCodeMakesTheMachinesTriangles) {
 }
 
 TEST(ManualPolygons, ThePagesPseudoCodeMakesTheTrianglesOfSimplePolygons) {
-    fuzz::Random r(8);
+    conformance::Random r(8);
     for (int i = 0; i < 3000; ++i) {  // combs: their sides touch, and do not cross
         Corners q;
         const int columns = r.between(2, 20);

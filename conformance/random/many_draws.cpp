@@ -1,12 +1,12 @@
 // Lists of many draws.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
 #include <utility>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Hundreds of draws of a few triangles, each with its own matrix and material. Passes draw the same
 // objects again, with changes of state between them.
@@ -139,4 +139,4 @@ Case texture_churn_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -1,12 +1,12 @@
 // Which pixels a primitive covers: shapes, clipping, bounds, jitter.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
 #include <cmath>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Coverage: the pixels of a triangle and their depths and colours.
 Case raster_case(Random& r) {
@@ -161,4 +161,4 @@ Case lines_and_points_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -1,10 +1,10 @@
 // Commands on pixels, and the accumulation buffer.
 #include "conformance/generate/pixels.h"
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Commands on pixels, in any order, under any state.
 
@@ -60,4 +60,4 @@ Case accumulation_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

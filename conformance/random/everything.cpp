@@ -1,11 +1,11 @@
 // All state and all commands at once.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 void any_state(Script& s) {
@@ -71,4 +71,4 @@ Case everything_case(Random& r) { return everything_with(r, any_profile(r)); }
 
 Case profile_case(Random& r) { return everything_with(r, user_profile(r)); }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

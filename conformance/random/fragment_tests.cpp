@@ -1,10 +1,10 @@
 // Tests of fragments, and blending.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // The stencil test with its operations and masks, followed by a depth test.
 Case stencil_case(Random& r) {
@@ -84,4 +84,4 @@ Case blend_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

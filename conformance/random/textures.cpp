@@ -1,13 +1,13 @@
 // Textures: coordinates of the mesh, generated ones, shadow maps.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
 #include <cmath>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Texture look-up in perspective: coordinates of the mesh.
 Case texture_case(Random& r) {
@@ -113,4 +113,4 @@ Case shadow_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -1,10 +1,10 @@
 // Antialiased points, lines and polygons.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 float any_size(Random& r) {
@@ -78,4 +78,4 @@ Case antialiasing_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

@@ -1,11 +1,11 @@
-// The makers of the suites' cases, in the files of conformance/suites/. Does not list the planes and
-// counters that each must reach: suites.cpp does.
+// The makers of the groups' cases. Does not say what each must reach: groups.cpp does.
 #pragma once
 
 #include "conformance/generate/case.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
+// Random lists of every kind: conformance/random/.
 Case accumulation_case(Random& random);
 Case alpha_mask_case(Random& random);
 Case antialiasing_case(Random& random);
@@ -38,4 +38,15 @@ Case tiny_draws_case(Random& random);
 Case vertices_case(Random& random);
 Case viewport_case(Random& random);
 
-}  // namespace gw::fuzz
+// Lists that random ones seldom are: conformance/directed/. They share no seeds with the random
+// tests, so a change here leaves those digests alone.
+Case blocks_case(Random& random);
+Case cut_slivers_case(Random& random);
+Case extreme_lights_case(Random& random);
+Case far_coordinates_case(Random& random);
+Case mesh_case(Random& random);
+Case offset_case(Random& random);
+Case polygons_case(Random& random);
+Case ties_case(Random& random);
+
+}  // namespace gw::conformance

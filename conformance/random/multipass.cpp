@@ -1,12 +1,12 @@
 // Frames of several passes.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
 #include <utility>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Many faces of one depth: a prepass, then the same faces by other primitives under Equal.
 
@@ -161,4 +161,4 @@ Case multipass_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

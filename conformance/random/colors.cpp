@@ -1,9 +1,9 @@
 // Colours of vertices and fragments, without texture: lighting, fog, identifiers.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 
 // Lighting at the vertices.
 Case lighting_case(Random& r) {
@@ -74,4 +74,4 @@ Case identifier_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

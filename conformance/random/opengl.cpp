@@ -1,13 +1,13 @@
 // What the machine has for OpenGL 1.1 beyond the papers: vertices, joined colours.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 /// The points of some vertices stay where they are: w scales their coordinates.
@@ -260,4 +260,4 @@ Case drawn_pixels_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance

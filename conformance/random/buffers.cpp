@@ -1,10 +1,10 @@
 // The planes that commands read and write, and accumulation cleared to values.
+#include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
-#include "conformance/suites.h"
 
-namespace gw::fuzz {
+namespace gw::conformance {
 namespace {
 
 /// Values of -1 .. 1 and beyond, and ties.
@@ -71,4 +71,4 @@ Case buffers_case(Random& r) {
     return s.out;
 }
 
-}  // namespace gw::fuzz
+}  // namespace gw::conformance
