@@ -114,7 +114,7 @@ TEST(GlTextures, ErrorsReadNoMemory) {
     glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 4096, 4096, 0, GL_RGBA, GL_UNSIGNED_BYTE, one);
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
     glDrawPixels(1 << 30, 1 << 30, GL_RGBA, GL_UNSIGNED_BYTE, one);
-    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE));
+    EXPECT_EQ(glGetError(), GLenum(GL_OUT_OF_MEMORY));
 }
 
 /// Bytes take a short way unless the transfer changes them.
