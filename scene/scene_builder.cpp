@@ -60,7 +60,8 @@ bool without_highlights(Material& material) {
 
 void warn_invisible(const Scene& scene, const std::string& file, Warnings& warnings) {
     for (const Material& material : scene.materials)
-        if (material.d == 0)
+        if (material.d == 0 &&
+            material.illum < 3)  // above, rays show what it reflects and refracts
             warnings.add(file, 0, "invisible " + material.name,
                          "material '" + printable(material.name) +
                              "' is invisible (d 0, or Tr 1); expected d above 0");

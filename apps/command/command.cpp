@@ -64,8 +64,8 @@ void check_values(const CLI::App& command) {
         const std::size_t ours = option->get_name() == "PROGRAM" ? 1 : values.size();
         for (std::size_t i = 0; i < std::min(ours, values.size()); ++i)
             if (is_blank(values[i]))
-                throw UsageError(option->get_name() + " '" + values[i] + "': expected " +
-                                 option->get_type_name() + ", not an empty word");
+                throw UsageError(option->get_name() + " is empty; expected " +
+                                 option->get_type_name());
     }
     for (const CLI::App* inner : command.get_subcommands()) check_values(*inner);
 }

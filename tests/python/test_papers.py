@@ -60,8 +60,7 @@ def test_a_picture_has_the_bits_of_the_command(renderer, tmp_path):
 
 
 def test_a_file_with_passes_of_its_own_is_drawn_with_them(tmp_path):
-    text =
-    """
+    text = """
 [[object]]
 shape = "teapot"
 

@@ -42,9 +42,15 @@ bool is_required(const std::string& line) { return line.find(" REQUIRED") != lin
 
 /// "--planes" of "  --planes DIR  ...", "" of an option without a value.
 std::string option_with_value(const std::string& line) {
-    static const std::regex pattern("^  (?:-\\w,)?(--?[\\w-]+) \\S.*");
+    static const std::regex pattern("^  (?:-\\w,)?(--?[\\w-]+) (?!Excludes:|Needs:)\\S.*");
     std::smatch found;
     return std::regex_match(line, found, pattern) ? found[1].str() : "";
+}
+
+/// What a positional argument takes.
+std::string word_for(const std::string& name) {
+    if (name == "STUDY") return "precision";
+    return name == "X" || name == "Y" ? "1" : "file";
 }
 
 class EmptyValues : public CommandTest {
@@ -61,8 +67,7 @@ protected:
             for (const char* value : {"", " ", "\t "}) {
                 words = command;
                 for (const std::string& other : help.positionals)
-                    if (is_required(other))
-                        words.push_back(first_word(other) == "STUDY" ? "precision" : "x");
+                    if (is_required(other)) words.push_back(word_for(first_word(other)));
                 for (const std::string& other : help.options)
                     if (is_required(other) && option_with_value(other) != option)
                         words.insert(words.end(), {option_with_value(other), "x.png"});

@@ -15,7 +15,8 @@ protected:
         write("textured.mtl", "newmtl red\nKd 1 0 0\nmap_Kd map.png\n");
         write_pixel(in("map.png"), {255, 0, 0});
         write("textured.obj", "mtllib textured.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
-        write("mine.toml", bytes_of(in("lamps.toml")) + "[[object]]\nfile = \"textured.obj\"\n");
+        write("mine.toml", bytes_of(in("lamps.toml")) +
+                               "[[object]]\nfile = \"textured.obj\"\ntranslate = [0, 0, 1]\n");
         std::filesystem::create_symlink("map.png", in("link.png"));
     }
 

@@ -39,7 +39,7 @@ TEST_F(Study, HiddenSurfacesGrowAndCost) {
 }
 
 TEST_F(Study, RefusesWhatCannotBe) {
-    expect_refused(2, {"study", "convergence", "-o", ""}, {"-o is empty"});
+    expect_refused(2, {"study", "convergence", "-o", ""}, {"--output is empty"});
     expect_refused(2, {"study", "speed", "-o", "out"},
                    {"STUDY 'speed'", "convergence, precision, hidden"});
     expect_refused(2, {"study", "convergence", "-o", "out", "--samples", "1"},
