@@ -92,7 +92,7 @@ std::vector<std::string> rows_of_page() {
     std::vector<std::string> rows;
     bool inside = false;
     for (std::string line; std::getline(page, line);) {
-        if (line.starts_with("| field |")) inside = true;
+        if (line.starts_with("| field | type |")) inside = true;
         if (line.empty()) inside = false;
         if (inside && line.starts_with("| `")) rows.push_back(line);
     }
