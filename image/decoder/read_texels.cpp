@@ -32,10 +32,11 @@ std::unique_ptr<OIIO::ImageInput> open(const std::filesystem::path& file) {
     std::unique_ptr<OIIO::ImageInput> input;
     if (name.find('?') == name.npos) {
         input = OIIO::ImageInput::open(name, &hints);
-    } else if (auto by_format = OIIO::ImageInput::create("x" + file.extension().string())) {
+    } else if (file.has_extension()) {
         // In a name that it takes apart, OpenImageIO reads "?" as the begin of options.
+        auto by_format = OIIO::ImageInput::create(file.extension().string().substr(1));
         OIIO::ImageSpec found;
-        if (by_format->open(name, found, hints)) input = std::move(by_format);
+        if (by_format && by_format->open(name, found, hints)) input = std::move(by_format);
     }
     if (!input) refuse("it cannot be read: " + one_line(OIIO::geterror()), "a picture file");
     return input;
