@@ -5,7 +5,6 @@
     python3 examples/hidden_surfaces/bsp.py polygons.json > steps.jsonl
     gw hidden scenes/hidden/cycle.toml --play steps.jsonl --steps played
 """
-
 import json
 import sys
 
@@ -57,5 +56,5 @@ def draw(pieces):
 
 with open(sys.argv[1], encoding="utf-8") as file:
     polygons = json.load(file)["polygons"]
-draw([piece for polygon in polygons for piece in polygon["pieces"] if piece["plane"]
-      and piece["outline"]])
+pieces = (piece for polygon in polygons for piece in polygon["pieces"])
+draw([piece for piece in pieces if piece["plane"] and piece["outline"]])
