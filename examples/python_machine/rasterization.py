@@ -253,10 +253,11 @@ class Perspective:
         self.frame, self.w, self.w_min = frame, w, min(w)
         self.q = frame.plane([to_integer(rne(2.0**30 * (self.w_min / v)), 1, 2**30) for v in w])
 
-    def value(self, values, k, largest_exponent):
+    def value(self, values, k, largest_exponent, least_exponent=0):
         """[R9.14] The numerator's plane and its exponent e."""
         most = max(values) - k
-        e = next((e for e in range(largest_exponent + 1) if 2.0**e >= most), largest_exponent)
+        e = next((e for e in range(least_exponent, largest_exponent) if 2.0**e >= most),
+                 largest_exponent)
         u = [to_integer(rne((2.0**30 * clamp01((v - k) / 2.0**e)) * (self.w_min / w)), 0, 2**30)
              for v, w in zip(values, self.w)]
         return self.frame.numerator(u, self.q), e

@@ -158,8 +158,9 @@ class TextureStage:
             plane, e = denominator.value(values)
             return Coordinate(plane, e, W, x, y, wrap, 0)
         if max(values) - math.floor(min(values)) > 2.0**10:  # [R9.19]
-            k = clamp(math.floor(min(values)), -2**30, 2**30)
-            plane, e = denominator.value(values, k, 32)
+            k = math.floor(min(values))
+            k = k if wrap == Wrap.Repeat else clamp(k, -2**30, 2**30)
+            plane, e = denominator.value(values, k, 32, 11)
             return Coordinate(plane, e, W, x, y, wrap, k, denominator.q)
         k = whole_part(values, wrap)
         plane, e = denominator.value(values, k, 10)

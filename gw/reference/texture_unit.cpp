@@ -22,10 +22,11 @@ struct Coordinates {
     float w;
 
     int at(const PerspectiveValue& value, int log2_size, Wrap wrap) const {
+        const bool repeats = wrap == Wrap::Repeat;
         if (!values.projective && value.exponent > largest_exponent_in_float)
             return wide_position(value.plane.at(x, y), values.texture_q.at(x, y), value.exponent,
-                                 static_cast<std::int64_t>(value.offset), log2_size,
-                                 wrap == Wrap::Repeat);
+                                 repeats ? 0 : static_cast<std::int64_t>(value.offset), log2_size,
+                                 repeats);
         return level_coordinate(value, value.at(x, y, w), log2_size, wrap);
     }
 };

@@ -39,11 +39,12 @@ std::array<std::int64_t, 3> denominators(std::span<const double> w) {
 }
 
 Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
-                      int largest_exponent) {
+                      int largest_exponent, int least_exponent) {
     const double w_min = *std::min_element(w.begin(), w.end());
     Numerators n;
     n.offset = k;
-    n.exponent = exponent_above(*std::max_element(s.begin(), s.end()) - k, 0, largest_exponent);
+    n.exponent =
+        exponent_above(*std::max_element(s.begin(), s.end()) - k, least_exponent, largest_exponent);
     for (std::size_t i = 0; i < s.size(); ++i) {
         const double f = clamp01((s[i] - k) / power_of_two(n.exponent));
         n.at[i] = to_integer(round_even((unit * f) * (w_min / w[i])), 0, unit);
@@ -59,7 +60,8 @@ Numerators texture_numerators(std::span<const double> s, std::span<const double>
     const auto [least, greatest] = std::minmax_element(s.begin(), s.end());
     const double k = std::floor(*least);
     if (is_wide(*least, *greatest))
-        return numerators(s, w, bounded(k, power_of_two(widest_offset)), widest_exponent);
+        return numerators(s, w, repeats ? k : bounded(k, power_of_two(widest_offset)),
+                          widest_exponent, largest_exponent_in_float + 1);
     return numerators(s, w, repeats ? k : std::clamp(k, -1024.0, 1023.0),
                       largest_exponent_in_float);
 }

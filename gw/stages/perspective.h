@@ -21,10 +21,10 @@ struct Numerators {
 /// Q_i = max(1, rne(2^30 wmin / w_i)).
 std::array<std::int64_t, 3> denominators(std::span<const double> w);
 
-/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i). e is the least of 0 .. largest_exponent
-/// with 2^e >= max(s_i - k).
+/// U_i = rne(2^30 clamp((s_i - k) / 2^e, 0, 1) wmin / w_i). e is the least of least_exponent ..
+/// largest_exponent with 2^e >= max(s_i - k).
 Numerators numerators(std::span<const double> s, std::span<const double> w, double k,
-                      int largest_exponent = 10);
+                      int largest_exponent = 10, int least_exponent = 0);
 /// Of a texture coordinate, above its integer part (R10.8). One that spans more than 2^10 repeats is
 /// wide (R9.19): its exponent is 11 .. 32.
 Numerators texture_numerators(std::span<const double> s, std::span<const double> w, bool repeats);

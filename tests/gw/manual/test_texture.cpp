@@ -127,9 +127,12 @@ int wide_red(int x, float from, float to, Wrap wrap) {
 // [R9.19] [R10.27]
 TEST(ManualTexture, WideCoordinates) {
     EXPECT_EQ(wide_red(37, 0, 4097, Wrap::Repeat), 160);
-    EXPECT_EQ(wide_red(0, 0, 4097, Wrap::Repeat), 0);       // s = 32.0078
-    EXPECT_EQ(wide_red(20, 0, 4097, Wrap::Repeat), 80);     // s = 1312.32
-    EXPECT_EQ(wide_red(37, -1e6f, 1e6f, Wrap::Repeat), 0);  // s = 171875
+    EXPECT_EQ(wide_red(0, 0, 4097, Wrap::Repeat), 0);                     // s = 32.0078
+    EXPECT_EQ(wide_red(20, 0, 4097, Wrap::Repeat), 80);                   // s = 1312.32
+    EXPECT_EQ(wide_red(37, -1e6f, 1e6f, Wrap::Repeat), 0);                // s = 171875
+    EXPECT_EQ(wide_red(37, -0x1p35f, -0x1p35f + 8192, Wrap::Repeat), 0);  // s is 4800 above
+    EXPECT_EQ(wide_red(5, -0x1p35f, -0x1p34f, Wrap::Clamp), 0);
+    EXPECT_EQ(wide_red(5, 0x1p34f, 0x1p35f, Wrap::Clamp), 240);
     // Column 32 has s = 0.6: left of it is texel 0, right of it texel 3.
     for (const auto& [x, texel] : {std::pair(0, 0), std::pair(31, 0), std::pair(32, 160),
                                    std::pair(33, 240), std::pair(63, 240)})
