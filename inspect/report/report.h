@@ -1,6 +1,6 @@
 // A recording as a page that opens from disk. It shows, for every pass, its parameter set, its
 // changes of state and planes, counters and estimated time. It has the histories of all pixels.
-// docs/inspect.md. Does not choose the folder.
+// docs/recordings.md. Does not choose the folder.
 #pragma once
 
 #include "inspect/report/prices.h"

@@ -1,4 +1,4 @@
-// The contents of a report's page, as JSON. docs/inspect.md, "The files", has its members.
+// The contents of a report's page, as JSON. docs/recordings.md, "The files", has its members.
 #pragma once
 
 #include "inspect/manifest/manifest.h"

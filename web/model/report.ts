@@ -1,5 +1,5 @@
 // A report as `gw inspect` writes it: data.js calls gw_report with this, pictures lie beside the
-// page (docs/inspect.md). Does not draw.
+// page (docs/recordings.md). Does not draw.
 export const planeNames = [
   'color',
   'depth',

@@ -1,5 +1,5 @@
-// The commands in README.md, docs/commands.md, docs/inspect.md, docs/hiddensurfaces.md,
-// docs/recordings.md and docs/lecture.md work as they stand there.
+// The commands in README.md, docs/commands.md, docs/hiddensurfaces.md, docs/recordings.md,
+// docs/conformance.md and docs/lecture.md work as they stand there.
 #include "test_paths.h"
 #include "tests/apps/support/examples.h"
 
@@ -27,12 +27,6 @@ TEST_F(Documents, CommandReferenceWorks) {
     auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/commands.md"));
     std::erase_if(commands, waits_for_a_user);
     EXPECT_GE(commands.size(), 5u);
-    expect_to_work(commands);
-}
-
-TEST_F(Documents, ReportsCommandsWork) {
-    const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/inspect.md"));
-    EXPECT_EQ(commands.size(), 2u);
     expect_to_work(commands);
 }
 
