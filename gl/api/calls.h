@@ -1,6 +1,6 @@
 // The calls behind the entry points, by chapter of the specification: entry/functions.txt names for
 // each function the call that carries it out. Each checks its arguments as [GL11] prescribes, sets
-// the error or changes the context. Those that a display list keeps take values: convert.h read the
+// the error or changes the context. Calls that a display list keeps take values: convert.h read the
 // pointers before.
 #pragma once
 

@@ -1,5 +1,5 @@
-// From the arguments of entry points to the values that calls take. Pointers are read here, and only
-// as far as the counts and enumerations beside them say.
+// Converts the arguments of entry points to the values that calls take. Reads pointers only as far
+// as the counts and enumerations beside them say.
 #pragma once
 
 #include "gl/api/finite.h"
@@ -61,16 +61,16 @@ inline const GLvoid* image_pixels(GLenum target, const GLvoid* pixels) {
     return is_proxy_target(target) ? nullptr : pixels;
 }
 
-/// A copy of an image in the caller's memory. None if there is an error, so that the memory of a
-/// call that is ignored is not read.
+/// A copy of an image in the caller's memory. None on an error: the memory of an ignored call is
+/// not read.
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels);
-/// The same of a texture's image. Sizes that no texture has are errors.
+/// The same for a texture's image. Sizes that no texture has are errors.
 HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
                          const GLvoid* pixels);
 /// The names that CallLists adds to the list base. [GL11] 5.4
 Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists);
 
-/// A pixel map's values; integers stand for 0 .. 1 but in the maps to indices.
+/// A pixel map's values; integers stand for 0 .. 1, except in maps to indices.
 Numbers map_values(GLenum map, GLsizei size, const GLfloat* values);
 Numbers map_values(GLenum map, GLsizei size, const GLuint* values);
 Numbers map_values(GLenum map, GLsizei size, const GLushort* values);

@@ -32,7 +32,7 @@ using Numbers = std::shared_ptr<const std::vector<double>>;
 /// order. A bitmap's rows begin with a byte's highest bit.
 struct HostImage {
     std::span<const std::byte> bytes;
-    /// Has the bytes, so that a display list may keep them; null: the caller's memory has.
+    /// Owns the bytes, so that a display list may keep them; null: they are in the caller's memory.
     std::shared_ptr<const std::vector<std::byte>> kept;
 
     bool is_given() const { return bytes.data() != nullptr; }

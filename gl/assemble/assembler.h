@@ -1,5 +1,5 @@
-// What a context assembles: several runs become one mesh as long as nothing changes but the values of
-// vertices. [GL11] 2.6. Knows no context.
+// Assembles a context's vertices: several runs become one mesh while only values of vertices
+// change. [GL11] 2.6. Knows no context.
 #pragma once
 
 #include "gl/assemble/assembly.h"

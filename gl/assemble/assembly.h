@@ -46,8 +46,8 @@ struct Assembly {
     void end();
     /// The vertices of each primitive of a mode whose primitives share none; 0: another mode.
     static int separate_corners(GLenum mode);
-    /// Ends a run of separate primitives, given by indices from its first vertex on. False: it has
-    /// not this many vertices, and is dropped.
+    /// Ends a run of separate primitives, given by indices from its first vertex on. Returns false,
+    /// and drops the run, if it has fewer vertices.
     bool end_shared(std::size_t vertex_count, std::span<const std::uint32_t> run_indices);
     /// Forgets the mesh, keeps the memory.
     void clear();

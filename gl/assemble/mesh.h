@@ -1,4 +1,4 @@
-// From assembled vertices to the machine's meshes.
+// Makes the machine's meshes of assembled vertices.
 #pragma once
 
 #include "gl/assemble/assembly.h"
@@ -20,8 +20,8 @@ struct VertexValues {
 /// texture too.
 VertexValues used_values(const State& s, bool is_feedback);
 
-/// The mesh of an assembly. Of the values in `used`, those that vary become its arrays; the draw's
-/// current values are the first vertex's.
+/// The mesh of an assembly. Values in `used` that vary become its arrays; the draw's current values
+/// are the first vertex's.
 MeshRef mesh_of(const Assembly& assembly, const std::vector<FaceMaterials>& materials,
                 const VertexValues& used);
 

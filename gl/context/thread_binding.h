@@ -9,8 +9,8 @@
 
 namespace gw::gl {
 
-/// The calling thread's. When the thread ends, no context is current and `leave` is called; whoever
-/// asks later gets an empty one.
+/// The calling thread's. When the thread ends, no context is current and `leave` is called; later
+/// calls get an empty one.
 template <class Binding>
 Binding& thread_binding() {
     static constinit thread_local Binding* binding = nullptr;

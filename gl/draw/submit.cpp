@@ -17,7 +17,7 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
     return std::make_shared<const CurrentValues>(values);
 }
 
-/// Whether a draw has pixels at all: products of matrices may leave the numbers.
+/// Whether a draw can have pixels: products of matrices may overflow.
 bool is_drawable(const Context& c) {
     return !is_empty(c.state.viewport) && is_finite(c.matrices.modelview.top()) &&
            is_finite(c.matrices.projection.top()) && is_finite(c.matrices.texture.top());

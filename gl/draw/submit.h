@@ -1,4 +1,4 @@
-// From the assembled mesh and GL's state to the machine's commands.
+// Makes the machine's commands of the assembled mesh and GL's state.
 #pragma once
 
 #include "gl/assemble/assembly.h"
@@ -34,7 +34,7 @@ FaceMaterials face_materials(const Context& c);
 /// 3.8.10
 TextureRef enabled_texture(Context& c);
 
-/// A draw with the current state. `values` are those of all vertices for which the mesh has none.
+/// A draw with the current state. A vertex has `values` if the mesh has no array of them.
 Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
                const FaceMaterials& materials);
 /// The same draw with a texture of two dimensions, so that the vertex stages make all texture

@@ -6,8 +6,8 @@
 
 namespace gw::gl {
 
-/// Before the process ends, all Backgrounds finish their work. In a child process
-/// (fork), which has none of the threads, what was not done is left.
+/// Before the process ends, all Backgrounds finish their work. A child process (fork) has none of
+/// the threads and leaves their work undone.
 class Background {
 public:
     /// Throws std::system_error if the system gives no thread.
@@ -18,7 +18,7 @@ public:
 
     /// Precondition: nothing is being worked on. Once the program is ending, the caller works.
     void start(std::function<void()> work);
-    /// Returns when all work is done. Rethrows what it threw.
+    /// Returns when all work is done. Rethrows its errors.
     void wait();
 
     /// False once the program is ending, and in a child process.

@@ -47,7 +47,7 @@ public:
     /// The number of the frame that is being drawn, from 0.
     std::uint64_t frame() const { return frame_.number(); }
     const Planes& planes();
-    /// Of the commands so far; null: none has set a state.
+    /// The state after the commands so far; null: none has set one.
     const gw::State* state() const { return frame_.state(); }
 
     /// Contexts of several threads may draw to one drawable. Every function locks it; a caller that
@@ -61,7 +61,7 @@ public:
     void add(Command command, std::span<const CallRun> calls = {});
     void set_state(const gw::State& state, std::span<const CallRun> calls = {});
 
-    /// Commands of the frame keep so much memory besides: textures that were made for it.
+    /// Adds to the memory that the frame's commands keep: textures made for it.
     void hold(std::size_t bytes);
 
     /// Executes the commands so far. What follows belongs to the same frame.
@@ -78,12 +78,12 @@ public:
     virtual void wait_until_shown() {}
     /// Executes the frame and reads a rectangle inside the drawable.
     Readback read(Plane plane, const Rect& rect, Cause cause);
-    /// The same of depths or stencil values, into the caller's memory.
+    /// Reads depths or stencil values in the same way, into the caller's memory.
     void read_values(Plane plane, const Rect& rect, Cause cause, std::span<std::uint32_t> values);
     /// The colours of a buffer, whatever the read buffer is.
     Readback read_colors(gw::ReadBuffer buffer, const Rect& rect, Cause cause);
-    /// The same of at most 8 bits a channel, into the caller's memory: R in the lowest byte, then G,
-    /// B and A, if `layout` does not differ.
+    /// The same with at most 8 bits a channel, into the caller's memory: R in the lowest byte, then
+    /// G, B and A, if `layout` does not differ.
     void read_packed(gw::ReadBuffer buffer, const Rect& rect, Cause cause,
                      std::span<std::uint32_t> pixels, ReadLayout layout = {});
     void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
@@ -91,7 +91,7 @@ public:
     /// Whether nobody sees it: its program may never swap.
     virtual bool is_off_screen() const { return false; }
 
-    /// New planes of another size, cleared to 0. What was not executed yet is left out.
+    /// New planes of another size, cleared to 0. Drops commands that were not executed.
     void resize(int width, int height);
 
 protected:
@@ -104,9 +104,9 @@ protected:
     };
     /// Where the frame that ends goes; none: present() shows it. Called while nothing is executed.
     virtual std::optional<FrameTarget> frame_target() { return std::nullopt; }
-    /// Before what frame_target() gave goes away.
+    /// Called before the target of frame_target() goes away.
     void end_background() noexcept;
-    /// Waits until all that was swapped is executed, and shown if it can be. Throws what it threw.
+    /// Waits until all swapped frames are executed and, if possible, shown. Rethrows their errors.
     void settle();
 
     /// Whether the shown buffer may differ from the last time: it was drawn to, or exchanged.

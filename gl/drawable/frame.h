@@ -23,17 +23,17 @@ class Frame {
 public:
     /// From 0.
     std::uint64_t number() const { return number_; }
-    /// Whether it has no command yet, also none that was executed.
+    /// Whether it has had no command yet, executed or not.
     bool is_new() const { return is_new_; }
     bool has_commands() const { return !commands_.list.commands.empty(); }
-    /// Of the commands so far; null: none has set a state.
+    /// The state after the commands so far; null: none has set one.
     const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
 
     /// The first command begins a pass, "frame 12".
     void add(Command command, std::span<const CallRun> calls = {});
     /// A read of the plane's colours or values, with the key 0. Part of no frame.
     void add_read(Plane plane, const Rect& rect, bool packed);
-    /// Commands keep so much memory besides: textures that were made for them.
+    /// Adds to the memory that the commands keep: textures made for them.
     void hold(std::size_t bytes) { bytes_ += bytes; }
     /// Whether it has so many vertices, commands or bytes that it is executed in parts.
     bool is_full() const;
@@ -42,14 +42,14 @@ public:
     CollectedCommands take();
     /// Takes back the memory of executed commands. Precondition: there are no new ones.
     void reuse(CollectedCommands executed);
-    /// For an error while commands are executed: the machine's state is not known after it.
+    /// After an error of execution: the machine's state is unknown.
     std::optional<SharedValue<gw::State>> take_state() {
         return std::exchange(last_state_, std::nullopt);
     }
     void restore_state(std::optional<SharedValue<gw::State>> state) {
         last_state_ = std::move(state);
     }
-    /// Leaves out what was not executed. The frame keeps its number, and is new.
+    /// Drops commands that were not executed. The frame keeps its number.
     void drop();
     /// The commands that follow are those of the next frame.
     void end();

@@ -1,4 +1,4 @@
-// What the user chose by environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE. docs/opengl.md
+// The user's environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE. docs/opengl.md
 #pragma once
 
 #include "gw/machine.h"

@@ -1,4 +1,4 @@
-// What EGL keeps of each thread: the current context and its surfaces, the API, the error.
+// EGL's values of each thread: the current context and its surfaces, the API, the error.
 #pragma once
 
 #include "gl/egl/surface.h"

@@ -1,4 +1,4 @@
-// What EGL knows: displays, their configurations, contexts and surfaces. A handle of EGL is the
+// EGL's objects: displays, their configurations, contexts and surfaces. A handle of EGL is the
 // address of what it names; it is looked up before it is used. A display is never destroyed.
 #pragma once
 
@@ -27,8 +27,7 @@ struct EglDisplay {
 
 /// The display of this platform, made when it is first asked for.
 EglDisplay& display_for(Platform platform, Display* native, int screen = -1);
-/// What a program means by the default display: EGL_PLATFORM's platform, else X11 if there is a
-/// server, else none.
+/// The default display: EGL_PLATFORM's platform, else X11 if there is a server, else none.
 Platform default_platform();
 
 /// Throws Failure if the server cannot be reached.
@@ -36,7 +35,7 @@ void initialize(EglDisplay& display);
 /// Forgets contexts and surfaces. Those that are current live until they are left.
 void terminate(EglDisplay& display);
 
-// What a program's handle names. They throw the Failure that EGL has for it.
+// The object that a program's handle names. Throw EGL's Failure if there is none.
 EglDisplay& known_display(EGLDisplay handle);
 EglDisplay& initialized_display(EGLDisplay handle);
 Config& config_of(EglDisplay& display, EGLConfig handle);

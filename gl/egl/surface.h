@@ -1,4 +1,4 @@
-// The surfaces of EGL: those of X11 with a configuration.
+// EGL's surfaces: surfaces of X11 with a configuration.
 #pragma once
 
 #include "gl/egl/configs.h"

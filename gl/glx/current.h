@@ -1,4 +1,4 @@
-// Contexts of GLX, and the one that is current in each thread. [GLX 1.4] 3.3.7
+// GLX's contexts, and each thread's current one. [GLX 1.4] 3.3.7
 #pragma once
 
 #include "gl/glx/surface.h"
@@ -39,7 +39,7 @@ GLXContext keep_context(std::unique_ptr<__GLXcontextRec> context);
 bool is_context(GLXContext context);
 void destroy_context(GLXContext context);
 
-/// Whether exit handlers run: those that were registered before the program's first context.
+/// Whether exit handlers run that were registered before the program's first context.
 bool has_exit_begun();
 
 /// Makes a context the calling thread's; false if another thread has it.

@@ -1,5 +1,5 @@
-// What is known of each display that a program opened: configurations, and the drawables that GLX
-// draws to. Forgotten when the program closes the display.
+// The configurations and GLX drawables of each display that a program opened. Forgotten when the
+// program closes the display.
 #pragma once
 
 #include "gl/glx/configs.h"
@@ -22,8 +22,8 @@ std::deque<Config>& configs_of(Display* display, int screen);
 /// Whether a program's pointer is a configuration of this display.
 bool is_config(Display* display, GLXFBConfig config);
 
-/// A visual of GLX 1.2 stands for the configuration that ChooseVisual or GetVisualFromFBConfig last
-/// returned it for, and before that for the double-buffered one. Null: not a visual of GLX.
+/// The configuration of a visual (GLX 1.2): ChooseVisual or GetVisualFromFBConfig last returned the
+/// visual for it; before, the double-buffered one. Null: not a visual of GLX.
 Config* config_of_visual(Display* display, const XVisualInfo& visual);
 /// A copy of the visual, which the program frees with XFree.
 XVisualInfo* chosen_visual(Display* display, const Config& config);

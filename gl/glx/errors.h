@@ -19,8 +19,8 @@ enum class GlxError {
     Profile
 };
 
-/// The numbers of GLX on a display. If the server has no GLX, numbers that no other extension of
-/// the server is likely to have.
+/// The numbers of GLX on a display. If the server has no GLX, numbers that its other extensions
+/// hardly have.
 struct ExtensionCodes {
     int request = 0, event_base = 0, error_base = 0;
 };

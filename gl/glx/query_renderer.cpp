@@ -1,5 +1,5 @@
-// GLX_MESA_query_renderer: what the renderer is, before a context is made. The machine is software,
-// the only renderer of every screen.
+// GLX_MESA_query_renderer: describes the renderer before a context is made. The machine is
+// software, the only renderer of every screen.
 #include "gl/glx/current.h"
 #include "gl/query/strings.h"
 

@@ -1,4 +1,4 @@
-// The drawables of GLX: those of X11 with a configuration.
+// GLX's drawables: surfaces of X11 with a configuration.
 #pragma once
 
 #include "gl/glx/configs.h"

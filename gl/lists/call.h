@@ -1,5 +1,5 @@
-// From an entry point to the call that carries it out: the current context, its open display list
-// and the rule of Begin and End are asked here, once for all functions.
+// Leads from an entry point to its call. Asks for the current context, its open display list and
+// the rule of Begin and End, once for all functions.
 #pragma once
 
 #include "generated/gl/functions.h"

@@ -20,7 +20,7 @@ struct Context;
 
 struct SealedRuns;
 
-/// What is to be done with a kept call; one for each function that carries out calls.
+/// The operations on a kept call; one object for each function that carries out calls.
 struct ListedOperations {
     void (*play)(Context&, const std::byte*);
     void (*destroy)(std::byte*);
@@ -66,7 +66,7 @@ private:
         std::size_t block = 0, at = 0;
         bool operator==(const Position&) const = default;
     };
-    /// A range of calls, and what they became.
+    /// A range of calls, and the runs that they became.
     struct Step {
         Position begin, end;
         std::uint32_t first = 0;           ///< the number of the first call

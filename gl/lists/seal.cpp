@@ -19,7 +19,7 @@ public:
 private:
     using Position = DisplayList::Position;
 
-    /// Groups of fewer vertices are played: so they become part of larger meshes.
+    /// Smaller groups are played, and become part of larger meshes.
     static constexpr std::size_t fewest_vertices = 32;
 
     /// The values of the call at this place if it is one of `execute`; else null.

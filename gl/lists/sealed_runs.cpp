@@ -16,7 +16,7 @@ const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
     return mesh;
 }
 
-/// The values of vertices for which a mesh has none.
+/// The current values in place of arrays that a mesh lacks.
 AssembledVertex common_values(const Context& c, const SealedRuns& runs,
                               const AssembledVertex& first) {
     AssembledVertex out = current_vertex(c.state.current);

@@ -31,9 +31,9 @@ struct SealedRuns {
     bool has_line_strips = false;
 };
 
-/// Draws the runs and sets the current values. False, and nothing is done, where the runs depend on
-/// the state: between Begin and End, line strips with a stipple or in feedback, a current edge flag
-/// of false.
+/// Draws the runs and sets the current values. Returns false, and does nothing, if the runs depend
+/// on the state: between Begin and End, line strips with a stipple or in feedback, a current edge
+/// flag of false.
 bool draw_runs(Context& c, SealedRuns& runs);
 
 }  // namespace gw::gl

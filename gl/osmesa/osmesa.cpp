@@ -1,5 +1,5 @@
-// OSMesa's functions: contexts that draw into the caller's memory. Flush and Finish, of the thread
-// whose context it is, bring it up to date. No other call touches it. Colour index mode is not offered.
+// OSMesa's functions: contexts that draw into the caller's memory. Flush and Finish of the
+// context's thread bring it up to date. No other call touches it. Colour index mode is not offered.
 #include "gl/context/c_boundary.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
@@ -205,7 +205,7 @@ bool fits(int depth_bits, int stencil_bits, int accum_bits) {
 }
 
 /// The attributes of a list that ends with 0, by name; those that are not there have their defaults.
-/// None: it names others.
+/// None if the list has other names.
 std::optional<std::map<int, int>> attributes_of(const int* list) {
     std::map<int, int> out{{OSMESA_FORMAT, OSMESA_RGBA},
                            {OSMESA_DEPTH_BITS, 0},

@@ -22,7 +22,7 @@ inline bool is_texel_format(GLenum format) {
            format != GL_DEPTH_COMPONENT && format != GL_DEPTH_STENCIL;
 }
 
-/// The error of a format and type that do not go together; GL_NO_ERROR. [GL11] 3.6.4
+/// The error of a format and type that do not fit each other, else GL_NO_ERROR. [GL11] 3.6.4
 GLenum format_error(GLenum format, GLenum type);
 
 /// The bytes of a row without padding.

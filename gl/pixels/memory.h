@@ -20,7 +20,7 @@ std::optional<std::size_t> rows_in_memory(const PixelStore& store, GLsizei width
 /// with the highest bit first.
 std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,
                                         GLenum format, GLenum type, const void* memory);
-/// The reverse, of such rows. Bytes and bits between the image's stay as they are.
+/// Copies such rows back. Bytes and bits between the image's stay as they are.
 void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsizei height,
                     GLenum format, GLenum type, std::span<const std::byte> rows);
 

@@ -8,8 +8,8 @@
 
 namespace gw::gl {
 
-/// Calls `take` for the parts of a rectangle of values or bits, of any size, in rows upwards. Their
-/// columns and rows cover the pixels of the window that those of the whole cover (R13.10).
+/// Calls `take` for the parts of a rectangle of values or bits, of any size, in rows upwards.
+/// Together they cover the same pixels of the window as the whole (R13.10).
 void for_each_piece(gw::DrawPixels whole, const std::function<void(gw::DrawPixels)>& take);
 
 }  // namespace gw::gl

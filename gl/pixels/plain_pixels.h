@@ -1,4 +1,5 @@
-// Pixels of the usual formats and types, without transfer: to colours, and from words of R, G, B, A.
+// Converts pixels of the usual formats and types without transfer: to colours, and from words of R,
+// G, B, A.
 #pragma once
 
 #include "gl/api/values.h"
@@ -10,7 +11,7 @@
 
 namespace gw::gl {
 
-/// The colours of as many pixels as `out` has. False: the format or type is none of these.
+/// Fills `out` with the pixels' colours. False: the format or type is none of these.
 bool plain_colors(GLenum format, GLenum type, std::span<const std::byte> bytes, int bits,
                   std::span<Rgba> out);
 /// The bytes of words, R in the lowest byte, in a format. `out` of GL_BGRA may be the words' memory.

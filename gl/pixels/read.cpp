@@ -63,7 +63,7 @@ bool is_read_as_bytes(const Context& c, GLenum format, GLenum type) {
            format != GL_LUMINANCE && format != GL_LUMINANCE_ALPHA;
 }
 
-/// Reads them, row after row.
+/// Reads such bytes, row after row.
 void read_bytes(Context& c, const Rect& rect, GLenum format, std::byte* out) {
     const bool is_words = (format == GL_RGBA || format == GL_BGRA) &&
                           reinterpret_cast<std::uintptr_t>(out) % alignof(std::uint32_t) == 0;

@@ -1,5 +1,5 @@
-// Pixel transfer: from the host's values to colours, depths and indices, and back. [GL11] 3.6.3 to
-// 3.6.5
+// Pixel transfer: the host's values become colours, depths and indices, and vice versa. [GL11]
+// 3.6.3 to 3.6.5
 #pragma once
 
 #include "gl/api/values.h"
@@ -54,7 +54,7 @@ void pack_bytes(const Context& c, std::span<const std::uint32_t> pixels, GLenum 
 std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type);
 /// Pixels of GL_DEPTH_STENCIL, from depths and stencil values after transfer.
 std::vector<std::byte> packed_depths_and_stencils(const DepthsAndStencils& values);
-/// The same from depths or indices. `width`: pixels of a row.
+/// The same for depths or indices. `width`: pixels of a row.
 std::vector<std::byte> packed_values(const std::vector<double>& values, GLsizei width,
                                      GLenum format, GLenum type);
 

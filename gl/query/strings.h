@@ -1,4 +1,4 @@
-// GetString: what this implementation is. It follows from the profile.
+// GetString: the names of this implementation, by the profile.
 #pragma once
 
 #include "gw/profile.h"

@@ -1,5 +1,5 @@
-// The calls of a list of commands in the form of a recording: with the names of functions, and of
-// places in the program.
+// The calls of a list of commands as a recording has them: with names of functions and of places in
+// the program.
 #pragma once
 
 #include "gl/drawable/call_trace.h"

@@ -1,4 +1,4 @@
-// Begins what the user asked for by variables: GW_RECORD, GW_STATS, GW_SCREENSHOT, GW_FRAMES.
+// Begins the outputs that variables ask for: GW_RECORD, GW_STATS, GW_SCREENSHOT, GW_FRAMES.
 #pragma once
 
 namespace gw::gl {

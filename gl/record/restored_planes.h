@@ -1,4 +1,4 @@
-// The list that makes a new machine's planes equal to another's: a recording that begins in the
+// The list that makes a new machine's planes equal to another's. A recording that starts in the
 // middle of a program begins with it.
 #pragma once
 

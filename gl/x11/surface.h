@@ -1,4 +1,4 @@
-// What the doors of X11 draw to: a window, a pixmap or a pbuffer with a machine of its size.
+// A surface of GLX or EGL: a window, a pixmap or a pbuffer with a machine of its size.
 #pragma once
 
 #include "gl/x11/geometry.h"
