@@ -60,7 +60,7 @@ Ours our_enum(File value) {
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& state);
 /// Whether it has a member of version 2 that is not at its initial value.
 bool needs_version_2(const State& state);
-/// Throws Error for an enumeration's value that there is not.
+/// Throws Error for an unknown enumerator.
 State from_file(const gwt::State& state);
 
 /// Of a list of commands. A table without runs is not stored.

@@ -12,7 +12,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// As of scene files.
+/// The limit of scene files.
 constexpr double most_triangles = 1 << 25;
 
 std::shared_ptr<Mesh> tessellated(const scene::Shape& shape, const std::vector<double>& values) {

@@ -12,7 +12,7 @@ double near_factor(const FigureView& view, const PlaneFigure& figure, const Seen
                    int v);
 
 /// The form factor from a part of a patch to the near texel (u, v), of which nothing is hidden. In
-/// closed form from points, that are as close as the texel is near.
+/// closed form from points that are as far apart as the texel is away.
 double near_factor(const PixmapModel& model, const NearPart& part, const NearTexels& texels, int u,
                    int v);
 

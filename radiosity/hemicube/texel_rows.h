@@ -21,7 +21,7 @@ inline constexpr double pixels_per_sample = 1.5;  ///< of a texel's pixels, at m
 inline constexpr TexelKind at_border = 9;
 inline constexpr TexelKind near_point = 19;  ///< divided until its parts are small (near_texels.h)
 
-/// A texel whose distance from the point is less than so many of its sides is near.
+/// A texel is near if the point is closer than this many of its sides.
 inline constexpr double near_sides = 3;
 
 /// A place at which a texel's light is looked up, in texels from its middle.

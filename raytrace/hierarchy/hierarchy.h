@@ -44,8 +44,8 @@ struct HierarchyHit {
 class TriangleTest {
 public:
     virtual ~TriangleTest() = default;
-    /// Tests the triangle of this number, and remembers the nearest. Returns the t up to which
-    /// nearer triangles matter; less than 0: none does any more.
+    /// Tests the triangle of this number, and remembers the nearest. Returns the t beyond which
+    /// hits are ignored; negative: the search ends.
     virtual float test(std::uint32_t number) = 0;
 };
 

@@ -38,7 +38,7 @@ struct ScannedPart {
     std::uint32_t index;
     std::uint32_t vertices;  ///< of its mesh
     bool is_small;           ///< it may share a set
-    /// a run of draws begins here, or ended at the previous part; a run of draws ended here
+    /// first part of a group; last part of one
     bool begins_group = false, ends_group = false;
     const PartGroup* group = nullptr;
 };

@@ -45,7 +45,7 @@ struct VertexColors {
         uniform.clear();
     }
     std::size_t bytes() const { return (front.capacity() + back.capacity()) * sizeof(Rgba); }
-    /// Those of a primitive's side.
+    /// The colours of a primitive's visible side.
     const std::vector<Rgba>& of(const SetupPrimitive& p) const {
         return p.front || back.empty() ? front : back;
     }
