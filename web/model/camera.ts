@@ -1,5 +1,5 @@
-// From the window's grid and the world to the camera's space: x to the right, y upwards, z away from
-// the eye, in world units. For the views from above and from the side. Does not draw.
+// Converts the window's grid and the world to the camera's space: x to the right, y upwards, z away
+// from the eye, in world units. Serves the views from above and from the side. Does not draw.
 import type { Header, Loop, Plane, Point } from './steps/log';
 
 export const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

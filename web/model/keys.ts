@@ -1,5 +1,5 @@
-// Keys of a page: what each does. Those that are typed into fields, or with Ctrl, Alt or Meta, are not
-// the page's.
+// Keys of a page and their effects. Keys that are typed into fields, or with Ctrl, Alt or Meta, are
+// not the page's.
 export type KeyActions = Readonly<Record<string, (() => void) | false | undefined>>;
 
 const fields = 'input:not([type=checkbox]), select, textarea, [contenteditable]';

@@ -1,5 +1,5 @@
-// A pass list as a table: a row for a pass, a cell for a key of [[pass]], in TOML as the machine
-// prints and reads it (docs/passes.md). Does not judge values: the machine does.
+// A pass list as a table: a row for a pass, a cell for a key of [[pass]]. Cells are TOML
+// (docs/passes.md). Does not judge values: the machine does.
 export type PassRow = ReadonlyMap<string, string>;
 
 /** The columns, in the paper's order; keys that a pass lacks have their initial value. */
@@ -61,7 +61,7 @@ export const shown = (value: string | undefined): string => (value ?? '').replac
 /** Shorter, to be read only: "func=Equal, mask=false". */
 export const brief = (value: string | undefined): string =>
   (value ?? '').replace(/["{}[\]]/g, '').replaceAll(' = ', '=');
-/** What was typed, as TOML: a name is a string, and so is all that is no other value. */
+/** Typed text as TOML; text that is no other value is a string. */
 export function written(key: string, text: string): string {
   const isOther = key !== 'name' && /^([[{"]|[-+.\d]|true$|false$)/.test(text);
   return isOther ? text : `"${text}"`;

@@ -1,5 +1,5 @@
-// Histories of pixels. They lie in scripts of 64 x 64 pixels, loaded when one is asked for: a page
-// from disk may run scripts but may not read files. Does not show anything.
+// Histories of pixels. They lie in scripts of 64 x 64 pixels, loaded on demand: a page from disk
+// may run scripts but not read files. Does not show anything.
 import type { Report } from './report';
 
 type Four = readonly number[];

@@ -1,6 +1,6 @@
 // Puts a page's state into its address. A change costs the browser up to 10 ms, and it refuses more
-// than 200 in ten seconds; a hand that turns the eye makes 60 in one. So changes wait, longer the longer
-// they go on; the last one is always put.
+// than 200 in ten seconds. So changes wait, longer the longer they go on; the last one is always
+// put.
 const [least, most] = [60, 240]; // milliseconds
 let interval = least;
 let last = -Infinity;

@@ -1,4 +1,4 @@
-// What all pages let their reader choose, and its place in the address. Does not touch the page:
+// The settings of all pages, and their place in the address. Does not touch the page:
 // PageHeader.svelte does.
 import type { Language } from './steps/log';
 import type { Palette } from './palette';

@@ -1,5 +1,5 @@
-// What the steps of a log add to a drawing, in chunks. A step changes only the last chunk, so it costs
-// no more than that. Does not draw.
+// The additions of a log's steps to a drawing, in chunks. A step changes only the last chunk. Does
+// not draw.
 import type { Step } from './log';
 
 export class Chunks<Part> {

@@ -1,4 +1,5 @@
-// What the views show: a replay at a position, with the settings of the page. Views do not change it.
+// The input of the views: a replay at a position, with the settings of the page. Views do not
+// change it.
 import type { Language, Step, Window } from './log';
 import type { Replay } from './replay';
 import type { Words } from '../../words/en';

@@ -1,5 +1,5 @@
-// The outline of a polygon or piece that a log gives in parts, as triangles: a side between two
-// parts is no side of the whole. Does not draw.
+// The outline of a polygon or piece that a log gives in triangles: a side between two of them is no
+// side of the whole. Does not draw.
 import type { Loop, Point } from './log';
 
 /** The same for points that differ by rounding only. */
