@@ -15,8 +15,7 @@
 
 namespace pybind11::detail {
 
-/// An enumeration or a profile: a wrong name raises the error of its class, which lists the names,
-/// and not that of the called function, which lists its arguments.
+/// An enumeration or a profile. A wrong name raises the error of its class, which lists the names.
 template <class Named>
 struct named_caster : type_caster_base<Named> {
     bool load(handle source, bool convert) {

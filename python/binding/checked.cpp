@@ -9,7 +9,7 @@
 namespace gw::python {
 namespace {
 
-/// Of places, as in scene files; of colours, attenuations and distances.
+/// The largest place, as in scene files; the largest colour, attenuation or distance.
 constexpr double far_away = 1e18, any_size = 1e30;
 
 /// Collects what is said before each fault: "light 'sun', ".

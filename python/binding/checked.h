@@ -22,8 +22,8 @@ void check_scene(const scene::Scene& scene);
 
 /// A scene in view, as every renderer needs it: defaults added, the camera chosen.
 struct SceneInView {
-    /// Throws Error if the window is outside 1 .. max_window_size, the scene or the camera has
-    /// values that no file can have, or the camera sees nothing.
+    /// Throws Error for a window outside 1 .. max_window_size, for values that no file can have,
+    /// and if the camera sees nothing.
     SceneInView(const scene::Scene& given, const std::optional<scene::Camera>& camera, int width,
                 int height);
     scene::Scene scene;

@@ -14,9 +14,9 @@ public:
     explicit ListHolder(CommandList list) : list_(std::make_shared<CommandList>(std::move(list))) {}
 
     const CommandList& list() const { return *list_; }
-    /// To be executed without the interpreter's lock.
+    /// For an execution without the interpreter's lock.
     std::shared_ptr<const CommandList> shared() const { return list_; }
-    /// To be changed: a copy if it is being executed.
+    /// For a change: a copy if the list is being executed.
     CommandList& changed() {
         if (list_.use_count() > 1) list_ = std::make_shared<CommandList>(*list_);
         return *list_;

@@ -37,7 +37,7 @@ public:
     bool is_reference() const { return reference_; }
     /// Throws Error if it was not asked to record.
     inspect::Recording recording();
-    /// Who holds the result sees in a plane's memory what each later list leaves there.
+    /// Later lists change the planes' memory under the holder of the result.
     std::shared_ptr<void> watch_planes();
 
 private:

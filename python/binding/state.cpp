@@ -66,7 +66,7 @@ void set_stipple_pattern(State& s, const std::optional<StipplePattern>& pattern)
         pattern ? std::make_shared<const StipplePattern>(*pattern) : nullptr;
 }
 
-/// A type of the state's description, after those of its fields; each once. Other types are
+/// Adds a type of the state's description after its fields' types, once. Other types are
 /// Python's own.
 template <class T>
 struct AddType {

@@ -13,7 +13,7 @@ std::atomic<int> unlocked = 0;
 
 bool ends_for_this_thread() { return ending && std::this_thread::get_id() != last_thread; }
 
-/// Of Python's atexit.
+/// Called by Python's atexit.
 void end_unlocked() {
     last_thread = std::this_thread::get_id();
     ending = true;

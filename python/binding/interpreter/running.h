@@ -1,5 +1,5 @@
-// Long work without the interpreter's lock, which Ctrl-C ends. Python's threads that share an object
-// take turns. Does not start threads for short work.
+// Runs long work without the interpreter's lock; Ctrl-C ends it. Python's threads that share an
+// object take turns. Does not start threads for short work.
 #pragma once
 
 #include "gw/base/cancel.h"
