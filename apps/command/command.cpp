@@ -56,8 +56,8 @@ bool is_blank(const std::string& value) {
     return value.find_first_not_of(" \t\n\r\v\f") == value.npos;
 }
 
-/// An option that was given without a value, as by an unset variable of a shell: it must not be
-/// taken for one that was not given. The words for a program of gw gl are the program's.
+/// An option that was given without a value, as by an unset variable of a shell. It must not pass
+/// for an absent option. The words for a program of gw gl are the program's.
 void check_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         const std::vector<std::string>& values = option->results();

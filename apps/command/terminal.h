@@ -12,8 +12,8 @@ namespace gw::apps {
 
 /// As `shown`, but keeps newlines and tabs.
 std::string without_controls(std::string_view text);
-/// At most two screens on one line: shown, and a long text loses its middle. (A library's message
-/// may repeat a whole file.) Newlines at the end are left out.
+/// Shown on one line: a text of more than two screens loses its middle. (A library's message may
+/// repeat a whole file.) Newlines at the end are left out.
 std::string as_one_line(std::string_view text);
 
 void print(std::string_view text);

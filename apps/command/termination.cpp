@@ -12,8 +12,8 @@
 namespace gw::apps {
 namespace {
 
-/// An exception that leaves a noexcept function of a library, inlined into ours, is not the current
-/// one: only that one is on its way is known. Missing memory is the one cause that tests find.
+/// An exception that leaves a library's noexcept function, inlined into ours, is not the current
+/// one. Only its existence is known. Missing memory is the one cause that tests find.
 bool is_out_of_memory() {
     const std::exception_ptr exception = std::current_exception();
     if (!exception) return std::uncaught_exceptions() > 0;

@@ -14,9 +14,9 @@
 
 namespace gw::apps {
 
-/// One command, as typed after "gw", and those of its pictures that the page shows. "@" stands for
-/// the figure's folder: "-o @a.png" becomes "-o DIR/fig1/a.png". The command render also gets the
-/// size and a file of counters.
+/// One command, as typed after "gw", and its pictures on the page. "@" stands for the figure's
+/// folder: "-o @a.png" becomes "-o DIR/fig1/a.png". The command render also gets the size and a
+/// file of counters.
 struct Panel {
     std::string command;
     std::vector<Shown> pictures;

@@ -108,7 +108,7 @@ fs::path library_folder() {
                 ": cannot be read: no such file; expected gw's libraries beside the command");
 }
 
-/// The word or, if it is not set, nothing: the libraries come first.
+/// LD_LIBRARY_PATH with our libraries first.
 std::string library_path() {
     const char* const others = std::getenv("LD_LIBRARY_PATH");
     const std::string ours = library_folder().string();
@@ -152,7 +152,7 @@ private:
     bool shown_ = false;
 };
 
-/// What was asked for and is not there; "" if nothing is.
+/// The output that was asked for and is missing; "" if none is.
 std::string missing(const GlOptions& options, const image::OutputFile* recording,
                     const fs::path& statistics, const fs::path& picture) {
     std::error_code ignored;

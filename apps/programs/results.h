@@ -1,4 +1,4 @@
-// What the libraries of gl/ leave in files: statistics and the picture that was shown.
+// Reads the files that the libraries of gl/ write: statistics and the shown picture.
 #pragma once
 
 #include "image/picture.h"

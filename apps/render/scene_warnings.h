@@ -1,4 +1,4 @@
-// Prints what a picture of a scene will not show right (scene/validate/warnings_of.h).
+// Warns of parts of a scene that a picture will not show right (scene/validate/warnings_of.h).
 #pragma once
 
 #include "apps/command/option_values.h"

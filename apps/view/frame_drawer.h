@@ -1,5 +1,5 @@
-// Draws the pictures of a viewer, with what the papers say of them: passes and their parameter sets,
-// counters, estimated time. Knows no window and no keys.
+// Draws a viewer's pictures with the papers' figures: passes and their parameter sets, counters,
+// estimated time. Knows no window and no keys.
 #pragma once
 
 #include "apps/render/frame_files.h"

@@ -1,4 +1,4 @@
-// What a user does at the window, without the window's library. Positions are pixels of the screen
+// A user's inputs at the window, without the window's library. Positions are pixels of the screen
 // (screen.h) from its upper left corner.
 #pragma once
 

@@ -9,8 +9,8 @@ namespace gw::apps {
 /// closer than a degree to the line along `up`.
 scene::Camera orbited(scene::Camera camera, double right, double above);
 
-/// Moves eye and `at` in the picture's plane, so that a point at the distance of `at` moves by a
-/// part of the picture's height: `right` and `up`.
+/// Moves eye and `at` in the picture's plane. A point at the distance of `at` moves by the parts
+/// `right` and `up` of the picture's height.
 scene::Camera panned(scene::Camera camera, double right, double up);
 
 /// The distance from `at` times `factor`; of an orthographic camera its height.

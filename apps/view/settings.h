@@ -1,5 +1,5 @@
-// What a viewer shows of a scene: its picture's options, camera, lights and fog. Plain values. Does
-// not draw.
+// A user's choices for a viewed scene: its picture's options, camera, lights and fog. Plain values.
+// Does not draw.
 #pragma once
 
 #include "apps/render/picture_options.h"

@@ -1,5 +1,5 @@
-// The state of gw view: what a user has chosen, and the work that it asks for. Drawing runs beside
-// it, so that it always answers. Knows no window: inputs go in, a screen comes out.
+// The state of gw view: the user's choices, and the work that they ask for. Drawing runs beside it,
+// so that it always answers. Knows no window: inputs go in, a screen comes out.
 #pragma once
 
 #include "apps/view/frame_drawer.h"

@@ -1,4 +1,4 @@
-// What gw view's screen says and shows, from the viewer's state.
+// gw view's screen: text and pictures of the viewer's state.
 #include "apps/view/viewer.h"
 #include "image/plane_pictures.h"
 #include "inspect/text/plural.h"
