@@ -116,8 +116,8 @@ void Assembly::end_triangles(std::size_t n) {
     }
 }
 
-/// Quad i of a strip begins with its fourth corner, so that its third, which gives a flat-shaded
-/// quad of a strip its colour, stands last. [GL11] table 2.12
+/// Quad i of a strip begins with its fourth corner. So its third, which gives a flat-shaded quad of
+/// a strip its colour, stands last. [GL11] table 2.12
 void Assembly::end_quad_strip(std::size_t n) {
     if (n < 4) return vertices.resize(run_begin_);
     set_edges();

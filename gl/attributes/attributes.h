@@ -7,8 +7,8 @@ namespace gw::gl {
 
 struct Context;
 
-/// Copies the groups of PushAttrib's bits from a context to one that is not current, with the
-/// bindings of textures as far as both share them. [GLX 1.4] 3.3.7, CopyContext
+/// Copies the groups of PushAttrib's bits from a context to one that is not current. Bindings of
+/// textures are copied as far as both share them. [GLX 1.4] 3.3.7, CopyContext
 void copy_attributes(Context& to, const Context& from, GLbitfield mask);
 
 /// COLOR_MATERIAL: brings the material parameter that follows the current colour up to it. [GL11]

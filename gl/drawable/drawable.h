@@ -22,8 +22,8 @@
 
 namespace gw::gl {
 
-/// Whether a drawable has a front buffer only, front and back, or a back buffer only (a pbuffer of
-/// EGL), which is then the front plane.
+/// Whether a drawable has a front buffer only, front and back, or a back buffer only. That of a
+/// pbuffer of EGL is the front plane.
 enum class Buffers : std::uint8_t { Single, Double, Back };
 
 class Drawable {

@@ -26,8 +26,8 @@ struct ExtensionCodes {
 };
 ExtensionCodes query_codes(Display* display);
 
-/// Gives the program's X error handler an error of the core (BadMatch) or of GLX, as if the server
-/// had answered the GLX request of this number (X_GLXMakeCurrent).
+/// Gives the program's X error handler an error of the core (BadMatch) or of GLX. The error names
+/// the GLX request of this number (X_GLXMakeCurrent).
 void send_error(Display* display, int core_error, XID resource, int request);
 void send_error(Display* display, GlxError error, XID resource, int request);
 

@@ -1,5 +1,5 @@
-// Display lists. [GL11] 5.4. A list keeps calls with their values, one after the other in blocks of
-// memory, and plays them by the functions that immediate mode calls.
+// Display lists. [GL11] 5.4. A list keeps calls with their values in blocks of memory, and plays
+// them by the functions that immediate mode calls.
 #pragma once
 
 #include "generated/gl/functions.h"

@@ -32,8 +32,8 @@ struct SealedRuns {
 };
 
 /// Draws the runs and sets the current values. Returns false, and does nothing, if the runs depend
-/// on the state: between Begin and End, line strips with a stipple or in feedback, a current edge
-/// flag of false.
+/// on the state. They do so between Begin and End, as line strips with a stipple or in feedback,
+/// and under an edge flag of false.
 bool draw_runs(Context& c, SealedRuns& runs);
 
 }  // namespace gw::gl

@@ -8,8 +8,8 @@
 
 namespace gw::gl {
 
-/// Writes after each frame, so that the picture is there however the program ends: a PPM (P6) whose
-/// largest value is that of the profile's colours. It replaces the one before at once.
+/// Writes after each frame, so that the picture is there however the program ends. It is a PPM
+/// (P6); its largest value is that of the profile's colours. It replaces the one before at once.
 class Screenshot : public FrameLog {
 public:
     Screenshot(std::string file, const FrameRange& frames);

@@ -1,6 +1,6 @@
 // Vertex arrays. [GL11] 2.8. The elements of a draw become vertices without a change of the current
-// values: the specification leaves them open, and programs draw on without setting them again. Those
-// of ArrayElement, and all while a list is open, go the way of immediate mode's calls.
+// values. The specification leaves them open; programs draw on without setting them again. Elements
+// of ArrayElement, and all elements while a list is open, become calls of immediate mode.
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/api/finite.h"

@@ -1,5 +1,5 @@
-// Shows a drawable's colours in a window or pixmap: an image of the server's own pixel format, in
-// memory shared with the server if it can (MIT-SHM).
+// Shows a drawable's colours in a window or pixmap. The image has the server's pixel format and, if
+// possible, memory that is shared with it (MIT-SHM).
 #pragma once
 
 #include "gl/x11/own_connection.h"
