@@ -7,6 +7,7 @@
 #include "multipass/frame/scene_maps.h"
 #include "multipass/passes/pass_toml.h"
 #include "scene/draw/fit.h"
+#include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -81,13 +82,13 @@ void LabSession::add_picture(const std::string& path, int width, int height, int
     pictures_[key_of(path)] = make_texture(name, width, height, rgba);
 }
 
-Json LabSession::open(const std::string& path) {
+Json LabSession::open(const Json& options) {
     drivers_.clear();
     lightings_ = {};
     rays_.reset();
     caster_.reset();
     shapes_.clear();
-    file_ = scene::read_scene(path);
+    file_ = scene::read_scene(options.at("path").get<std::string>());
     Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
     for (const scene::Object& object : file_.scene.objects)
         objects.push_back(
@@ -249,5 +250,11 @@ std::string LabSession::manifest(const Json& options) {
     recording.lists = std::move(lists);
     return to_json(inspect::manifest_of(recording, machine.passes()));
 }
+
+const Method methods[] = {
+    {"open", &LabSession::open},
+    {"draw", &LabSession::draw, {{"picture", &LabSession::picture}}},
+    {"manifest", &LabSession::manifest},
+};
 
 }  // namespace gw::lab

@@ -31,8 +31,11 @@ public:
     /// A texture file's texels, as the file has them: 4 channels of 8 or 16 bits, top row first.
     void add_picture(const std::string& path, int width, int height, int bits,
                      const std::string& texels);
-    /// Reads a TOML scene or an OBJ file. Answers what is in it, and the texture files that it needs.
-    Json open(const std::string& path);
+    /// What the engine has: hidden-surface algorithms, and the vectors that it was compiled for.
+    Json about(const Json& options);
+    /// Reads `path`, a TOML scene or an OBJ file. Answers what is in it, and the texture files that it
+    /// needs.
+    Json open(const Json& options);
     /// Draws the scene: options `renderer`, `samples`, `reflections`, `translucency`, `shadow`,
     /// `depth`, and those of a view. Answers passes, counters, digests of the planes.
     Json draw(const Json& options);
@@ -88,8 +91,8 @@ public:
     std::string hidden(const Json& options);
     /// What an algorithm in any language works on, as `gw hidden --polygons` writes it.
     std::string polygons(const Json& options);
-    /// Draws and grades the steps of such an algorithm, lines of JSON, as `gw hidden --play` does.
-    std::string play(const Json& options, const std::string& steps);
+    /// Draws and grades the `steps` of such an algorithm, lines of JSON, as `gw hidden --play` does.
+    std::string play(const Json& options);
 
     /// The last picture, RGBA of 8 bits, top row first.
     const std::vector<std::uint8_t>& picture() const { return picture_; }
@@ -141,7 +144,7 @@ private:
     };
     std::map<std::string, Kept> drivers_;  ///< by renderer; of machine_
     std::unique_ptr<inspect::Replayed> replayed_;
-    std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved anew
+    std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved again
     std::unique_ptr<RayScene> rays_;                      ///< of machine_
     std::string rays_key_;
     std::vector<raytrace::CastShape> shapes_;

@@ -3,7 +3,7 @@
 #include "apps/render/casts.h"
 #include "gw/error.h"
 #include "raytrace/casting/cast_picture.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
 #include <fmt/format.h>
@@ -124,5 +124,13 @@ Json LabSession::inside(const Json& options) {
     }
     return {{"cells", cells}, {"sides", sides}, {"tests", tests_of(p)}};
 }
+
+const Method methods[] = {
+    {"cast",
+     &LabSession::cast,
+     {{"picture", &LabSession::picture}, {"tests", &LabSession::change}}},
+    {"visits", &LabSession::visits},
+    {"inside", &LabSession::inside},
+};
 
 }  // namespace gw::lab

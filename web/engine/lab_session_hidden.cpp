@@ -5,7 +5,7 @@
 #include "hiddensurface/run/estimate.h"
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 
 #include <algorithm>
 
@@ -38,6 +38,15 @@ std::string log_text(const hs::Input& input, const hs::LogSubject& subject, cons
 
 }  // namespace
 
+Json LabSession::about(const Json&) {
+    Json all = Json::array();
+    for (const hs::Algorithm& a : hs::algorithms())
+        all.push_back({{"name", a.name}, {"title", a.title}, {"lines", false}});
+    for (const hs::LineAlgorithm& a : hs::line_algorithms())
+        all.push_back({{"name", a.name}, {"title", a.title}, {"lines", true}});
+    return {{"algorithms", all}, {"simd", simd_target()}};
+}
+
 std::string LabSession::hidden(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
@@ -67,12 +76,12 @@ std::string LabSession::polygons(const Json& options) {
     return hs::polygons_json(input, hs::hex_colors(input));
 }
 
-std::string LabSession::play(const Json& options, const std::string& steps) {
+std::string LabSession::play(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     Machine& machine = machine_for(options);
     const hs::Input input = hs::make_input(scene, view, machine.profile());
-    hs::Play play = hs::read_play(input, "step", steps);
+    hs::Play play = hs::read_play(input, "step", options.at("steps").get<std::string>());
     const hs::Level level = play.level;
     return graded_log(machine, hs::played(std::move(play)), input, level);
 }
@@ -96,5 +105,12 @@ void LabSession::keep_difference(const hs::Result& result, int width) {
     for (auto end = result.difference.end(); end != result.difference.begin(); end -= width)
         for (auto at = end - width; at != end; ++at) difference_.push_back(std::uint8_t(*at));
 }
+
+const Method methods[] = {
+    {"about", &LabSession::about},
+    {"hidden", &LabSession::hidden, {{"difference", &LabSession::difference}}},
+    {"polygons", &LabSession::polygons},
+    {"play", &LabSession::play, {{"difference", &LabSession::difference}}},
+};
 
 }  // namespace gw::lab

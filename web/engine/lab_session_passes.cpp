@@ -8,7 +8,7 @@
 #include "inspect/report/prices.h"
 #include "multipass/passes/pass_toml.h"
 #include "multipass/steps/schedule.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -109,5 +109,13 @@ Json LabSession::history(const Json& options) {
                     " is outside the picture");
     return inspect::history_rows(inspect::pixel_history(recording, x, recording.height - 1 - y));
 }
+
+const Method methods[] = {
+    {"passes", &LabSession::passes, {{"picture", &LabSession::picture}}},
+    {"plane",
+     &LabSession::plane,
+     {{"picture", &LabSession::picture}, {"change", &LabSession::change}}},
+    {"history", &LabSession::history},
+};
 
 }  // namespace gw::lab

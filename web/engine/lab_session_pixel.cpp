@@ -7,7 +7,7 @@
 #include "gw/stages/vertex.h"
 #include "inspect/replay/pixel_history.h"
 #include "scene/draw/view.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
 #include <cmath>
@@ -272,13 +272,16 @@ Json LabSession::pixel(const Json& options) {
     Json answer{{"subpixel_bits", asked.profile.subpixel_bits},
                 {"color_bits", bits},
                 {"depth_bits", asked.profile.depth_bits},
-                {"area2", ref::area2(window[0], window[1], window[2])}};
+                {"area2", ref::area2(window[0], window[1], window[2])},
+                {"covered", Json::array()},
+                {"order", Json::array()},
+                {"sides", Json::array()},
+                {"steps", Json::array()}};
     for (const ref::Corner& corner : corners)
         answer["corners"].push_back({{"x", corner.window.x},
                                      {"y", corner.window.y},
                                      {"z", corner.window.z},
                                      {"color", corner.color}});
-    answer["covered"] = Json::array();
     for (const auto& seen : fragments.all) {
         answer["covered"].push_back({seen.fragment.x, seen.fragment.y});
         if (seen.fragment.x == x && seen.fragment.y == y) answer["machine"] = seen_json(seen);
@@ -324,5 +327,9 @@ Json LabSession::pixel(const Json& options) {
         answer["blend"] = blend_json(state.state.blend, color, stored, bits);
     return answer;
 }
+
+const Method methods[] = {
+    {"pixel", &LabSession::pixel, {{"picture", &LabSession::picture}}},
+};
 
 }  // namespace gw::lab

@@ -2,7 +2,7 @@
 #include "gw/base/elementary.h"
 #include "gw/error.h"
 #include "radiosity/display/display.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ std::uint16_t value16(double v) {
 }  // namespace
 
 Json LabSession::light(const Json& options) {
-    auto& lighting = lightings_.at(options.value("anew", false) ? 1 : 0);
+    auto& lighting = lightings_.at(options.value("resolved", false) ? 1 : 0);
     if (!lighting || !lighting->go_on(options)) {
         lighting.reset();
         lighting = std::make_unique<Lighting>(scene_for(options), options);
@@ -38,7 +38,7 @@ Json LabSession::light(const Json& options) {
 }
 
 const Lighting& LabSession::lighting_of(const Json& options) const {
-    const auto& lighting = lightings_.at(options.value("anew", false) ? 1 : 0);
+    const auto& lighting = lightings_.at(options.value("resolved", false) ? 1 : 0);
     if (!lighting) throw Error("nothing is lit; expected a state of light first");
     return *lighting;
 }
@@ -76,5 +76,12 @@ Json LabSession::hemicube(const Json& options) {
     picture_ = rgba_of(lighting_of(options).hemicube(options.at("patch"), options.at("point")));
     return Json::object();
 }
+
+const Method methods[] = {
+    {"light", &LabSession::light},
+    {"lit", &LabSession::lit, {{"picture", &LabSession::picture}}},
+    {"pixmap", &LabSession::pixmap, {{"picture", &LabSession::picture}}},
+    {"hemicube", &LabSession::hemicube, {{"picture", &LabSession::picture}}},
+};
 
 }  // namespace gw::lab

@@ -5,7 +5,7 @@
 #include "inspect/replay/forwarding_machine.h"
 #include "itembuffer/differences.h"
 #include "multipass/frame/driver.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/outside.h"
 #include "web/engine/rgba.h"
 
@@ -125,5 +125,16 @@ Json LabSession::outside(const Json& options) {
             {"up", json_of(scene.camera->up)},
             {"matrix", json_of(view.clip_from_eye * view.eye_from_world)}};
 }
+
+const Method methods[] = {
+    {"rays", &LabSession::rays, {{"picture", &LabSession::picture}}},
+    {"raytraced", &LabSession::raytraced, {{"picture", &LabSession::picture}}},
+    {"identifiers",
+     &LabSession::identifiers,
+     {{"ids", &LabSession::picture}, {"mask", &LabSession::difference}}},
+    {"reasons", &LabSession::reasons, {{"reason", &LabSession::difference}}},
+    {"path", &LabSession::path},
+    {"outside", &LabSession::outside, {{"picture", &LabSession::picture}}},
+};
 
 }  // namespace gw::lab

@@ -1,7 +1,7 @@
 // Shadow volumes in space: objects of a scene that the machine draws from another eye.
 #include "gw/error.h"
 #include "multipass/shadow/shadows.h"
-#include "web/engine/lab_session.h"
+#include "web/engine/method.h"
 #include "web/engine/outside.h"
 
 namespace gw::lab {
@@ -90,5 +90,9 @@ Json LabSession::volumes(const Json& options) {
             {"at", json_of(shown.camera->at)},
             {"up", json_of(shown.camera->up)}};
 }
+
+const Method methods[] = {
+    {"volumes", &LabSession::volumes, {{"picture", &LabSession::picture}}},
+};
 
 }  // namespace gw::lab

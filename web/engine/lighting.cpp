@@ -48,7 +48,7 @@ Lighting::Lighting(scene::Scene scene, const Json& options)
 
 Json Lighting::beginning(const Json& options) {
     Json changes = Json::array();
-    if (options.value("anew", false))
+    if (options.value("resolved", false))
         for (Json change : options.at("changes")) {
             change.erase("after");
             changes.push_back(change);
@@ -58,7 +58,7 @@ Json Lighting::beginning(const Json& options) {
 
 bool Lighting::is_due(const Json& options) const {
     const Json& changes = options.at("changes");
-    return !options.value("anew", false) && applied_.size() < changes.size() &&
+    return !options.value("resolved", false) && applied_.size() < changes.size() &&
            changes.at(applied_.size()).at("after") <= shots_;
 }
 

@@ -3,7 +3,7 @@
 //   hemicube  pixels across
 //   shots     how many have been shot
 //   changes   [{"after": shots, "object", "what", "value"}], as `gw radiosity --change` has them
-//   anew      true: the changes are there before the first shot
+//   resolved  true: the changes are there before the first shot
 #pragma once
 
 #include "image/picture.h"

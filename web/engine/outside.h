@@ -1,4 +1,4 @@
-// Where a whole scene is seen from outside.
+// A camera outside a scene that sees all of it.
 #pragma once
 
 #include "scene/draw/fit.h"

@@ -1,4 +1,4 @@
-// Starts the lab: the machine is beginning in its worker, and the page asks it for the first picture.
+// Starts the lab. The machine has begun in its worker; the page asks it for the first picture.
 import { mount } from 'svelte';
 import App from './App.svelte';
 import { beginWorker } from './machine/begin_worker';

@@ -53,3 +53,17 @@ export function pixelFrom(parts: URLSearchParams): [number, number] | undefined 
 /** As people read it: commas stay commas. */
 export const addressOf = (parts: URLSearchParams): string =>
   `#${parts.toString().replaceAll('%2C', ',')}`;
+
+/** The word if it is one of these, else the first of them or `otherwise`. */
+export const known = <Word extends string>(
+  word: string | null,
+  words: readonly Word[],
+  otherwise: Word = words[0]!,
+): Word => words.find((one) => one === word) ?? otherwise;
+
+/** "1,2,3" as a point in space. */
+export function pointFrom(text: string | null): [number, number, number] | undefined {
+  const [x, y, z, ...rest] = (text ?? '').split(',').map(Number);
+  const all = [x, y, z] as [number, number, number];
+  return rest.length === 0 && all.every(Number.isFinite) ? all : undefined;
+}

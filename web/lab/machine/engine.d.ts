@@ -1,5 +1,14 @@
 // What Emscripten makes of web/engine.
 declare module 'gw-engine' {
+  /** Why the engine refused. */
+  interface Refusal {
+    readonly error?: string;
+  }
+  /** JSON or a text, and planes by name. */
+  interface Called extends Refusal {
+    readonly json?: string;
+    readonly [member: string]: string | Uint8Array | undefined;
+  }
   export interface Engine {
     add_picture(
       path: string,
@@ -7,39 +16,12 @@ declare module 'gw-engine' {
       height: number,
       bits: number,
       texels: Uint8Array,
-    ): string;
-    open(path: string): string;
-    draw(options: string): string;
-    manifest(options: string): string;
-    hidden(options: string): string;
-    passes(options: string): string;
-    plane(options: string): string;
-    history(options: string): string;
-    pixel(options: string): string;
-    volumes(options: string): string;
-    polygons(options: string): string;
-    light(options: string): string;
-    lit(options: string): string;
-    pixmap(options: string): string;
-    hemicube(options: string): string;
-    rays(options: string): string;
-    raytraced(options: string): string;
-    identifiers(options: string): string;
-    reasons(options: string): string;
-    path(options: string): string;
-    outside(options: string): string;
-    cast(options: string): string;
-    visits(options: string): string;
-    inside(options: string): string;
-    play(options: string, steps: string): string;
-    picture(): Uint8Array;
-    change(): Uint8Array;
-    difference(): Uint8Array;
+    ): Refusal;
+    /** A method of the engine's table, with options as JSON. */
+    call(method: string, options: string): Called;
   }
   export interface EngineModule {
     Engine: new () => Engine;
-    algorithms(): string;
-    simd_target(): string;
     FS: {
       mkdirTree(path: string): void;
       writeFile(path: string, data: Uint8Array | string): void;

@@ -11,13 +11,12 @@ let engine: Engine;
 /** Files that are textures, decoded when a scene asks for them. */
 const pictures = new Map<string, Uint8Array>();
 
-/** The engine's answer, or its refusal as an error. */
-function answered(text: string): string {
-  if (text.startsWith('{"error":')) throw new Error((JSON.parse(text) as { error: string }).error);
-  return text;
+/** The engine's answer: JSON or a text, and planes. */
+function called(method: string, options: unknown): unknown {
+  const { error, json, ...rest } = engine.call(method, JSON.stringify(options));
+  if (error !== undefined) throw new Error(error);
+  return json === undefined ? rest : Object.assign(JSON.parse(json) as object, rest);
 }
-
-const json = (text: string): object => JSON.parse(answered(text)) as object;
 
 function write(files: Files): void {
   for (const [path, bytes] of Object.entries(files)) {
@@ -62,13 +61,15 @@ function addPicture(path: string): void {
     const alpha = color ? (color[3] ?? 255) : channels % 2 === 0 ? png.data[from]! : most;
     rgba[i * 4 + 3] = alpha;
   }
-  answered(
-    engine.add_picture(path, width, height, depth === 16 ? 16 : 8, new Uint8Array(rgba.buffer)),
-  );
+  const texels = new Uint8Array(rgba.buffer);
+  const { error } = engine.add_picture(path, width, height, depth === 16 ? 16 : 8, texels);
+  if (error !== undefined) throw new Error(error);
   pictures.delete(path);
 }
 
-const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => unknown } = {
+type Own = 'start' | 'write' | 'open';
+/** What is more than a method of the engine. */
+const own: { [M in Own]: (...values: Parameters<Methods[M]>) => unknown } = {
   async start(engineText, vectors, scenesText) {
     const compiling =
       engineText instanceof WebAssembly.Module
@@ -89,91 +90,13 @@ const methods: { [M in keyof Methods]: (...values: Parameters<Methods[M]>) => un
     });
     engine = new lab.Engine();
     write(await files);
-    return {
-      algorithms: JSON.parse(lab.algorithms()) as unknown,
-      simd: lab.simd_target(),
-      scenes: Object.keys(await files),
-      module,
-    };
+    return { ...(called('about', {}) as object), scenes: Object.keys(await files), module };
   },
   write,
   open(path) {
-    const facts = JSON.parse(answered(engine.open(path))) as SceneFacts & { pictures: string[] };
+    const facts = called('open', { path }) as SceneFacts & { pictures: string[] };
     facts.pictures.forEach(addPicture);
     return facts;
-  },
-  draw(options) {
-    const before = performance.now();
-    const answer = JSON.parse(answered(engine.draw(JSON.stringify(options)))) as unknown;
-    const milliseconds = performance.now() - before;
-    return { answer, picture: engine.picture().slice(), milliseconds };
-  },
-  manifest: (options) => answered(engine.manifest(JSON.stringify(options))),
-  passes(options) {
-    const run = json(engine.passes(JSON.stringify(options)));
-    return { ...run, picture: engine.picture().slice() };
-  },
-  plane(pass, plane) {
-    const facts = json(engine.plane(JSON.stringify({ pass, plane })));
-    return { ...facts, picture: engine.picture().slice(), change: engine.change().slice() };
-  },
-  history: (x, y) => json(engine.history(JSON.stringify({ x, y }))),
-  pixel(options) {
-    const facts = json(engine.pixel(JSON.stringify(options)));
-    return { order: [], sides: [], steps: [], ...facts, picture: engine.picture().slice() };
-  },
-  volumes(options) {
-    const facts = json(engine.volumes(JSON.stringify(options)));
-    return { ...facts, picture: engine.picture().slice() };
-  },
-  light: (options) => json(engine.light(JSON.stringify(options))),
-  lit(options) {
-    answered(engine.lit(JSON.stringify(options)));
-    return engine.picture().slice();
-  },
-  pixmap(options) {
-    answered(engine.pixmap(JSON.stringify(options)));
-    return engine.picture().slice();
-  },
-  hemicube(options) {
-    answered(engine.hemicube(JSON.stringify(options)));
-    return engine.picture().slice();
-  },
-  rays(options) {
-    const run = json(engine.rays(JSON.stringify(options)));
-    return { ...run, picture: engine.picture().slice() };
-  },
-  raytraced(options) {
-    const run = json(engine.raytraced(JSON.stringify(options)));
-    return { ...run, picture: engine.picture().slice() };
-  },
-  identifiers(options) {
-    const facts = json(engine.identifiers(JSON.stringify(options)));
-    return { ...facts, ids: engine.picture().slice(), mask: engine.difference().slice() };
-  },
-  reasons(options) {
-    const facts = json(engine.reasons(JSON.stringify(options)));
-    return { ...facts, reason: engine.difference().slice() };
-  },
-  path: (options) => json(engine.path(JSON.stringify(options))),
-  outside(options) {
-    const facts = json(engine.outside(JSON.stringify(options)));
-    return { ...facts, picture: engine.picture().slice() };
-  },
-  cast(options) {
-    const run = json(engine.cast(JSON.stringify(options)));
-    return { ...run, picture: engine.picture().slice(), tests: engine.change().slice() };
-  },
-  visits: (options) => json(engine.visits(JSON.stringify(options))),
-  inside: (options) => json(engine.inside(JSON.stringify(options))),
-  polygons: (options) => answered(engine.polygons(JSON.stringify(options))),
-  play(options, steps) {
-    const log = answered(engine.play(JSON.stringify(options), steps));
-    return { log, difference: engine.difference().slice() };
-  },
-  hidden(options) {
-    const log = answered(engine.hidden(JSON.stringify(options)));
-    return { log, difference: engine.difference().slice() };
   },
 };
 
@@ -186,8 +109,8 @@ function reasonOf(error: unknown): string {
 async function take({ number, method, values }: Request): Promise<void> {
   const answer = (rest: Omit<Answer, 'number'>) => self.postMessage({ number, ...rest });
   try {
-    const call = methods[method] as (...values: readonly unknown[]) => unknown;
-    answer({ value: await call(...values) });
+    const call = own[method as Own] as ((...all: readonly unknown[]) => unknown) | undefined;
+    answer({ value: await (call ? call(...values) : called(method, values[0])) });
   } catch (error) {
     answer({ error: reasonOf(error) });
   }

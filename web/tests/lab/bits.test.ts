@@ -107,7 +107,7 @@ describe('the lab leaves the bits of gw render', () => {
       async (path, options) => {
         const { machine } = window as unknown as LabWindow;
         await machine.ask('open', path);
-        return machine.ask('manifest', options);
+        return (await machine.ask('manifest', options)).text;
       },
       `/scenes/${scene}.toml`,
       { renderer, profile, width, height },
@@ -169,7 +169,7 @@ describe('the lab makes the step log of gw hidden', () => {
       ...['hidden', `${scenes}/${scene}.toml`, '--algorithm', algorithm, '--profile', profile],
       ...['--size', '64x48', '--steps', join(folder, 'steps'), '--quiet'],
     ]);
-    const { log } = await thePage().evaluate(
+    const { text } = await thePage().evaluate(
       async (path, options) => {
         const { machine } = window as unknown as LabWindow;
         await machine.ask('open', path);
@@ -181,7 +181,7 @@ describe('the lab makes the step log of gw hidden', () => {
     const theirs = readFileSync(join(folder, 'steps', 'steps.jsonl'), 'utf8');
     const expected = linesOf(theirs);
     expect(expected.length).toBeGreaterThan(3);
-    const ours = linesOf(log);
+    const ours = linesOf(text);
     expect(ours.length).toBe(expected.length);
     for (const [i, line] of ours.entries()) expect(line).toBe(expected[i]);
   });
@@ -218,7 +218,7 @@ describe('the lab leaves the light of gw radiosity', () => {
         while ((await machine.ask('light', light)).more);
         const tone = { exposure: 0, gamma: 2.2, ambient: true };
         const view = { width: 64, height: 48, profile: 'ideal' };
-        return [...(await machine.ask('lit', { ...view, ...tone }))];
+        return [...(await machine.ask('lit', { ...view, ...tone })).picture];
       },
       `/scenes/radiosity/${scene}.toml`,
       { width: 64, height: 48, hemicube, shots: shots + more, changes: [...changes] },

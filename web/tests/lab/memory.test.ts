@@ -14,7 +14,7 @@ it('begins again with empty memory after a picture that is too large', async () 
       try {
         if (more) await machine.ask('draw', view); // it stays for the next eye
         const { picture } = await machine.ask('passes', view);
-        if (more) await machine.ask('plane', 0, 'color');
+        if (more) await machine.ask('plane', { pass: 0, plane: 'color' });
         return picture.length;
       } catch (error) {
         return (error as Error).message;

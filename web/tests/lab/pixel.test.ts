@@ -1,6 +1,6 @@
 // The exhibit of one pixel: its numbers are the machine's, and a hand can drag, type and click.
 import { expect, it } from 'vitest';
-import type { PixelFacts, PixelOptions } from '../../lab/machine/protocol';
+import type { PixelFacts, PixelOptions } from '../../lab/pixel/protocol';
 import { inChromium, open, thePage, type LabWindow } from './page';
 
 inChromium();

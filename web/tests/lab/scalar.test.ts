@@ -9,10 +9,11 @@ const drawn = () =>
     const { machine, facts } = window as unknown as LabWindow;
     const view = { width: 64, height: 48, profile: 'vgx' };
     await machine.ask('open', '/scenes/fig9.toml');
-    const manifest = await machine.ask('manifest', { ...view, renderer: 'multipass' });
+    const { text } = await machine.ask('manifest', { ...view, renderer: 'multipass' });
     await machine.ask('open', '/scenes/hidden/cycle.toml');
     const hidden = { ...view, algorithm: 'newell', level: 'polygon' };
-    return { simd: facts.simd, manifest, log: (await machine.ask('hidden', hidden)).log };
+    const log = (await machine.ask('hidden', hidden)).text;
+    return { simd: facts.simd, manifest: text, log };
   });
 
 it('draws the same without vectors', async () => {

@@ -1,4 +1,8 @@
 // The state of the exhibit of one pixel in the address: the triangle's corners and how it is drawn.
+import { known, numbersFrom } from '../../model/settings';
+import { profiles } from '../address';
+import type { ExhibitState } from '../exhibit';
+
 export interface Corner {
   /** Sub-pixels: from the left, from the bottom. */
   x: number;
@@ -13,7 +17,9 @@ export interface Corner {
   t: number;
 }
 
-export interface PixelChoices {
+export interface PixelState {
+  /** The pixel of the grid that is explained; row 0 is at the bottom. */
+  at: [number, number];
   corners: Corner[];
   filter: string;
   env: string;
@@ -36,7 +42,7 @@ const first = (unit: number): Corner[] => [
 
 export const unitOf = (profile: string): number => (profile === 'ideal' ? 256 : 8);
 
-export const firstChoices = (profile: string): PixelChoices => ({
+export const firstChoices = (profile: string): Omit<PixelState, 'at'> => ({
   corners: first(unitOf(profile)),
   filter: 'linear',
   env: 'modulate',
@@ -46,14 +52,6 @@ export const firstChoices = (profile: string): PixelChoices => ({
 
 const cornerText = (c: Corner): string =>
   [c.x, c.y, c.z, c.w, c.color.slice(1), c.alpha, c.s, c.t].join(',');
-
-export function putPixel(parts: URLSearchParams, choices: PixelChoices): void {
-  parts.set('corners', choices.corners.map(cornerText).join(';'));
-  parts.set('filter', choices.filter);
-  parts.set('env', choices.env);
-  parts.set('blend', choices.blend);
-  parts.set('background', choices.background.slice(1));
-}
 
 const isColor = (word: string | undefined): boolean => /^[0-9a-f]{6}$/.test(word ?? '');
 
@@ -65,18 +63,34 @@ function cornerFrom(text: string): Corner | undefined {
   return { x: x!, y: y!, z: z!, w: w!, color: `#${words[4]}`, alpha: alpha!, s: s!, t: t! };
 }
 
-export function pixelChoicesFrom(parts: URLSearchParams, profile: string): PixelChoices {
-  const otherwise = firstChoices(profile);
-  const corners = (parts.get('corners') ?? '').split(';').map(cornerFrom);
-  const known = (key: string, words: readonly string[], word: string): string =>
-    words.includes(parts.get(key) ?? '') ? parts.get(key)! : word;
-  const background = parts.get('background') ?? '';
-  return {
-    corners:
-      corners.length === 3 && corners.every((c) => c !== undefined) ? corners : otherwise.corners,
-    filter: known('filter', filters, otherwise.filter),
-    env: known('env', environments, otherwise.env),
-    blend: known('blend', blends, otherwise.blend),
-    background: isColor(background) ? `#${background}` : otherwise.background,
-  };
+function pixelFrom(text: string | null): [number, number] {
+  const [x, y] = numbersFrom(text);
+  const isInside =
+    x !== undefined && y !== undefined && x >= 0 && y >= 0 && x < grid.width && y < grid.height;
+  return isInside ? [Math.floor(x), Math.floor(y)] : [6, 4];
 }
+
+export const pixelState: ExhibitState<PixelState> = {
+  from(parts) {
+    const otherwise = firstChoices(known(parts.get('profile'), profiles));
+    const corners = (parts.get('corners') ?? '').split(';').map(cornerFrom);
+    const background = parts.get('background') ?? '';
+    return {
+      at: pixelFrom(parts.get('at')),
+      corners:
+        corners.length === 3 && corners.every((c) => c !== undefined) ? corners : otherwise.corners,
+      filter: known(parts.get('filter'), filters, otherwise.filter),
+      env: known(parts.get('env'), environments, otherwise.env),
+      blend: known(parts.get('blend'), blends, otherwise.blend),
+      background: isColor(background) ? `#${background}` : otherwise.background,
+    };
+  },
+  put(parts, choices) {
+    parts.set('at', choices.at.join(','));
+    parts.set('corners', choices.corners.map(cornerText).join(';'));
+    parts.set('filter', choices.filter);
+    parts.set('env', choices.env);
+    parts.set('blend', choices.blend);
+    parts.set('background', choices.background.slice(1));
+  },
+};

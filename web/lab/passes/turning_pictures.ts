@@ -1,8 +1,8 @@
 // Pictures of a turning eye, from two machines in turn: while one draws, the other one begins the
-// next. Only the newest wish waits; a picture that is ready after a later one is dropped. Eq. 1 has
+// next. Only the latest request waits; a picture that is ready after a later one is dropped. Eq. 1 has
 // every fourth eye only, so that eq. 2 has most of the time. What is too slow is drawn with less.
-import type { Machine } from './machine/machine';
-import type { PassesOptions } from './machine/protocol';
+import type { Machine } from '../machine/machine';
+import type { PassesOptions } from './protocol';
 
 export interface Turned {
   /** By eq. 1. None: the machine cannot. */
@@ -16,8 +16,8 @@ export interface Turned {
 const tooLong = 100;
 
 /** An own list says itself where rays come in. */
-function withLess(wish: PassesOptions): PassesOptions {
-  return { ...wish, samples: 1, ...(wish.list ? {} : { reflections: 'maps' }) };
+function withLess(request: PassesOptions): PassesOptions {
+  return { ...request, samples: 1, ...(request.list ? {} : { reflections: 'maps' }) };
 }
 
 export class TurningPictures {
@@ -36,8 +36,8 @@ export class TurningPictures {
     this.idle = [machine];
   }
 
-  ask(wish: PassesOptions): void {
-    this.next = wish;
+  ask(request: PassesOptions): void {
+    this.next = request;
     if (!this.twin) this.idle.push((this.twin = this.machine.twin()));
     const machine = this.idle.shift();
     if (machine) void this.work(machine);
@@ -52,11 +52,11 @@ export class TurningPictures {
   }
 
   /** The next pictures are of other options: they are whole, unless they take too long. */
-  startAnew(): void {
+  expectQuick(): void {
     this.slow = false;
   }
 
-  /** Ends the second machine; the next wish begins another. */
+  /** Ends the second machine; the next request begins another. */
   end(): void {
     this.forget();
     this.twin?.end();
@@ -64,9 +64,12 @@ export class TurningPictures {
     this.idle = this.idle.filter((machine) => machine === this.machine);
   }
 
-  private async inOnePass(machine: Machine, wish: PassesOptions): Promise<Uint8Array | undefined> {
+  private async inOnePass(
+    machine: Machine,
+    request: PassesOptions,
+  ): Promise<Uint8Array | undefined> {
     try {
-      return (await machine.ask('draw', { ...wish, renderer: 'hardware' })).picture;
+      return (await machine.ask('draw', { ...request, renderer: 'hardware' })).picture;
     } catch {
       return undefined;
     }
@@ -74,14 +77,14 @@ export class TurningPictures {
 
   private async work(machine: Machine): Promise<void> {
     while (this.next) {
-      const wish = this.next;
+      const request = this.next;
       this.next = undefined;
       const number = ++this.asked;
       try {
-        const one = number % 4 === 1 ? await this.inOnePass(machine, wish) : undefined;
+        const one = number % 4 === 1 ? await this.inOnePass(machine, request) : undefined;
         const less = this.slow;
         const begun = performance.now();
-        const { picture } = await machine.ask('draw', less ? withLess(wish) : wish);
+        const { picture } = await machine.ask('draw', less ? withLess(request) : request);
         if (performance.now() - begun > tooLong) this.slow = true;
         if (number <= this.shown) continue;
         this.shown = number;

@@ -1,5 +1,8 @@
 // The state of the exhibit of the item buffer and rays in the address.
-import type { Point } from '../model/steps/log';
+import { clamped } from '../../model/keys';
+import { known, pointFrom } from '../../model/settings';
+import type { Point } from '../../model/steps/log';
+import type { ExhibitState } from '../exhibit';
 
 export type Corner = readonly [number, number];
 export interface RaysState {
@@ -47,18 +50,6 @@ export const polygons: Readonly<Record<'convex' | 'concave' | 'star', Corner[]>>
   ],
 };
 
-export function putRays(parts: URLSearchParams, state: RaysState): void {
-  if (state.depth !== 2) parts.set('depth', String(state.depth));
-  if (state.show !== 'picture') parts.set('show', state.show);
-  if (state.ordinary) parts.set('ray', 'ordinary');
-  if (state.from) parts.set('from', state.from.join(','));
-  if (state.open.length > 0) parts.set('open', state.open.join(','));
-  if (state.method !== 'grid') parts.set('method', state.method);
-  if (state.inside !== 'crossings') parts.set('inside', state.inside);
-  const polygon = state.polygon.flat().join(',');
-  if (polygon !== polygons.star.flat().join(',')) parts.set('polygon', polygon);
-}
-
 function polygonFrom(text: string | null): Corner[] {
   const values = text?.split(',').map(Number) ?? [];
   if (values.length < 6 || values.length > 24 || values.length % 2 > 0) return polygons.star;
@@ -66,19 +57,32 @@ function polygonFrom(text: string | null): Corner[] {
   return values.flatMap((x, i): Corner[] => (i % 2 === 0 ? [[x, values[i + 1]!]] : []));
 }
 
-export function raysFrom(parts: URLSearchParams): RaysState {
-  const depth = Number(parts.get('depth') ?? 2);
-  const from = parts.get('from')?.split(',').map(Number) ?? [];
-  const known = (name: string, words: readonly string[], otherwise: string): string =>
-    words.find((word) => word === parts.get(name)) ?? otherwise;
-  return {
-    depth: Number.isInteger(depth) ? Math.min(mostDepth, Math.max(1, depth)) : 2,
-    show: known('show', shows, 'picture'),
-    ordinary: parts.get('ray') === 'ordinary',
-    from: from.length === 3 && from.every(Number.isFinite) ? (from as unknown as Point) : undefined,
-    open: (parts.get('open') ?? '').split(',').filter((w) => w === 'cast' || w === 'inside'),
-    method: known('method', methods, 'grid'),
-    inside: known('inside', insideTests, 'crossings'),
-    polygon: polygonFrom(parts.get('polygon')),
-  };
-}
+export const raysState: ExhibitState<RaysState> = {
+  from(parts) {
+    const depth = Number(parts.get('depth') ?? 2);
+    return {
+      depth: Number.isInteger(depth) ? clamped(depth, 1, mostDepth) : 2,
+      show: known(parts.get('show'), shows),
+      ordinary: parts.get('ray') === 'ordinary',
+      from: pointFrom(parts.get('from')),
+      open: (parts.get('open') ?? '').split(',').filter((w) => w === 'cast' || w === 'inside'),
+      method: known(parts.get('method'), methods, 'grid'),
+      inside: known(parts.get('inside'), insideTests),
+      polygon: polygonFrom(parts.get('polygon')),
+    };
+  },
+  put(parts, choices) {
+    if (choices.depth !== 2) parts.set('depth', String(choices.depth));
+    if (choices.show !== 'picture') parts.set('show', choices.show);
+    if (choices.ordinary) parts.set('ray', 'ordinary');
+    if (choices.from) parts.set('from', choices.from.join(','));
+    if (choices.open.length > 0) parts.set('open', choices.open.join(','));
+    if (choices.method !== 'grid') parts.set('method', choices.method);
+    if (choices.inside !== 'crossings') parts.set('inside', choices.inside);
+    const polygon = choices.polygon.flat().join(',');
+    if (polygon !== polygons.star.flat().join(',')) parts.set('polygon', polygon);
+  },
+  forget(choices) {
+    choices.from = undefined;
+  },
+};

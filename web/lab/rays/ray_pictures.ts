@@ -1,6 +1,6 @@
 // Pictures that the page makes of what the machine says by pixel. Four bytes a pixel, as the machine
 // gives pictures.
-import { channels } from '../model/palette';
+import { channels } from '../../model/palette';
 
 /** The pixels that are traced in their colours, all others dark grey. */
 export function tracedOnly(picture: Uint8Array, mask: Uint8Array): Uint8Array {

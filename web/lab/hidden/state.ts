@@ -1,0 +1,43 @@
+// The state of the exhibit of hidden surfaces in the address, and what it asks the engine.
+import { known } from '../../model/settings';
+import type { ExhibitState } from '../exhibit';
+import type { View } from '../machine/protocol';
+
+export interface HiddenOptions extends View {
+  readonly algorithm: string;
+  readonly level: string;
+  /** Seconds: an algorithm that would take longer is refused. */
+  readonly limit?: number;
+}
+
+export interface Graded {
+  /** The text of steps.jsonl. */
+  readonly text: string;
+  /** By pixel, the upper row first: equal, tie, edge, snapped, wrong. Empty for lines. */
+  readonly difference: Uint8Array;
+}
+
+declare module '../machine/protocol' {
+  interface Methods {
+    hidden(options: HiddenOptions): Graded;
+  }
+}
+
+export interface HiddenState {
+  /** One or two. */
+  algorithms: string[];
+  level: string;
+}
+
+export const levels = ['polygon', 'line', 'span', 'pixel'];
+
+export const hiddenState: ExhibitState<HiddenState> = {
+  from: (parts) => ({
+    algorithms: (parts.get('algorithm') ?? 'newell').split(',').slice(0, 2),
+    level: known(parts.get('level'), levels),
+  }),
+  put(parts, choices) {
+    parts.set('algorithm', choices.algorithms.join(','));
+    parts.set('level', choices.level);
+  },
+};

@@ -1,0 +1,22 @@
+// The state of the exhibit of the visitor's algorithm in the address, and what it asks the engine.
+import type { ExhibitState } from '../exhibit';
+import type { Graded } from '../hidden/state';
+
+declare module '../machine/protocol' {
+  interface Methods {
+    polygons(options: View): { readonly text: string };
+    play(options: View & { readonly steps: string }): Graded;
+  }
+}
+
+export interface OwnState {
+  /** The visitor's program, packed; '': the example. */
+  code: string;
+}
+
+export const ownState: ExhibitState<OwnState> = {
+  from: (parts) => ({ code: parts.get('code') ?? '' }),
+  put(parts, { code }) {
+    if (code) parts.set('code', code);
+  },
+};
