@@ -1,5 +1,6 @@
 // Builds the lab as one file: page, worker, WebAssembly and scenes. GW_ENGINE is the folder of
-// engine.js and engine.wasm, GW_SCALAR that of the engine without vectors, GW_SCENES the folder of the scenes, GW_WEB_OUT that of the page.
+// engine.js and engine.wasm, GW_SCALAR that of the engine without vectors, GW_SCENES the folder of
+// the scenes, GW_WEB_OUT that of the page.
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -47,7 +48,10 @@ function scriptText(file: string, format: 'iife' | 'esm'): string {
   );
 }
 
-/** Bytes and scripts stand in the page as text that nobody reads before it is needed. What the first picture needs comes first. */
+/**
+ * Bytes and scripts stand in the page as text that nobody reads before it is needed. What the first
+ * picture needs comes first.
+ */
 function data(): Plugin {
   const block = (id: string, text: string) =>
     `<script id="${id}" type="text/plain">${text}</script>`;

@@ -16,6 +16,15 @@ _pieces = re.compile(
     re.DOTALL,
 )
 
+# A page's: templates and HTML's comments as well.
+_page_pieces = re.compile(
+    r'"(?:\\.|[^"\\\n])*"'
+    r"|'(?:\\.|[^'\\\n])*'"
+    r"|`(?:\\.|[^`\\])*`"
+    r"|(?P<comment>(?<![:\\])//[^\n]*|/\*.*?\*/|<!--.*?-->)",
+    re.DOTALL,
+)
+
 
 def tracked_files():
     """Paths relative to the root: what git tracks, or would with `git add`; without git, every
@@ -37,6 +46,11 @@ def is_source(name):
     return name.endswith((".h", ".cpp"))
 
 
+def is_page_source(name):
+    """Of web/: components, scripts, style sheets."""
+    return name.startswith("web/") and name.endswith((".svelte", ".ts", ".js", ".css"))
+
+
 def is_script(name):
     path = root / name
     return name.endswith((".py", ".cmake", "CMakeLists.txt")) or ("." not in path.name
@@ -46,9 +60,9 @@ def is_script(name):
 def comments_of(name):
     """(line number, text) of each comment line. A script's comments start with #."""
     text = text_of(name)
-    if is_source(name):
+    if is_source(name) or is_page_source(name):
         found = []
-        for match in _pieces.finditer(text):
+        for match in (_pieces if is_source(name) else _page_pieces).finditer(text):
             if match["comment"]:
                 first = text.count("\n", 0, match.start()) + 1
                 found += [(first + i, line) for i, line in enumerate(match["comment"].split("\n"))]
@@ -61,10 +75,12 @@ def comments_of(name):
 
 
 def code_of(name):
-    """The text without comments, strings kept."""
+    """The text without comments, strings kept. It has the same lines."""
     text = text_of(name)
-    if is_source(name):
-        return _pieces.sub(lambda match: " " if match["comment"] else match[0], text)
+    if is_source(name) or is_page_source(name):
+        pieces = _pieces if is_source(name) else _page_pieces
+        return pieces.sub(
+            lambda match: " " + "\n" * match[0].count("\n") if match["comment"] else match[0], text)
     if is_script(name):
         return re.sub(r"(?m)(?:^|(?<=\s))#[^!].*$", "", text)
     return text

@@ -1,6 +1,7 @@
 // Measures the built lab in Chromium: frames of a turning eye beside the same frames through the
-// browser's WebGL on SwiftShader, in turns in one page; and the time to the first picture from disk.
-// GW_LAB: the page; GW_FRAMES: the folder of bench_lab_frames' files. scripts/lab --bench calls it.
+// browser's WebGL on SwiftShader, in turns in one page; and the time to the first picture from
+// disk. GW_LAB: the page; GW_FRAMES: the folder of bench_lab_frames' files. scripts/lab --bench
+// calls it.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';

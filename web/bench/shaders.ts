@@ -32,7 +32,8 @@ vec3 litColor(vec3 p, vec3 n) {
     vec3 toward = at[i].w == 0.0 ? at[i].xyz : at[i].xyz / at[i].w - p;
     float d = length(toward);
     vec3 l = toward / d;
-    float faded = at[i].w == 0.0 ? 1.0 : 1.0 / (falloff[i].x + d * (falloff[i].y + d * falloff[i].z));
+    float dimmed = falloff[i].x + d * (falloff[i].y + d * falloff[i].z);
+    float faded = at[i].w == 0.0 ? 1.0 : 1.0 / dimmed;
     float diffuse = max(dot(n, l), 0.0);
     vec3 part = Ka * Ia[i] + diffuse * Kd * Id[i];
     if (diffuse > 0.0) {

@@ -1,5 +1,5 @@
-// Plays a frame of bench_lab_frames through WebGL: lights at the vertices, buffers and programs made
-// once. Runs in the page; does not measure.
+// Plays a frame of bench_lab_frames through WebGL: lights at the vertices, buffers and programs
+// made once. Runs in the page; does not measure.
 import { fragmentShader, mostLights, vertexShader } from './shaders';
 
 type Matrix = readonly number[];
@@ -86,7 +86,7 @@ function product(a: Matrix, b: Matrix): number[] {
     return [0, 1, 2, 3].reduce((sum, k) => sum + a[k * 4 + row]! * b[column + k]!, 0);
   });
 }
-/** The inverse transpose of the upper 3x3: cofactors over the determinant; the shader normalizes. */
+/** The inverse transpose of the upper 3x3, times the determinant; the shader normalizes. */
 function normalMatrix(m: Matrix): number[] {
   const column = (i: number): Part => [m[i * 4]!, m[i * 4 + 1]!, m[i * 4 + 2]!];
   const cross = (a: Part, b: Part): number[] => [

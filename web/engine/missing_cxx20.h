@@ -41,12 +41,20 @@ bool all_of(const Range& range, Predicate predicate) {
     return std::all_of(std::begin(range), std::end(range), predicate);
 }
 template <class Range, class Predicate>
+bool none_of(const Range& range, Predicate predicate) {
+    return std::none_of(std::begin(range), std::end(range), predicate);
+}
+template <class Range, class Predicate>
 auto count_if(const Range& range, Predicate predicate) {
     return std::count_if(std::begin(range), std::end(range), predicate);
 }
 template <class Range, class Value>
 void replace(Range& range, const Value& from, const Value& to) {
     std::replace(std::begin(range), std::end(range), from, to);
+}
+template <class Range, class Predicate, class Value>
+void replace_if(Range& range, Predicate predicate, const Value& to) {
+    std::replace_if(std::begin(range), std::end(range), predicate, to);
 }
 template <class Range>
 void reverse(Range& range) {
@@ -63,6 +71,10 @@ void stable_sort(Range& range, Compare, Projection projection) {
     std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
+}
+template <class Range, class Output, class Predicate>
+void copy_if(const Range& range, Output output, Predicate predicate) {
+    std::copy_if(std::begin(range), std::end(range), output, predicate);
 }
 template <class Range, class Output>
 void move(Range& range, Output output) {

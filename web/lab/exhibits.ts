@@ -1,5 +1,5 @@
 // The registry of exhibits, in the order of their tabs. A new exhibit is a folder and a row here.
-import type { Exhibit } from './exhibit';
+import type { Exhibit } from './exhibit/exhibit';
 import Hidden from './hidden/Hidden.svelte';
 import { hiddenState } from './hidden/state';
 import Own from './own/Own.svelte';

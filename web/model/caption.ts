@@ -4,7 +4,9 @@
 const unbroken =
   /[\u3040-\u30fe\u3400-\u9fff][、。）」ー]*\s*|[^\s\u3040-\u30fe\u3400-\u9fff]+\s*/g;
 
-/** Lines no wider than `room`; broken at blanks and between Japanese letters, else within a word. */
+/**
+ * Lines no wider than `room`; broken at blanks and between Japanese letters, else within a word.
+ */
 export function linesOfText(
   text: string,
   room: number,

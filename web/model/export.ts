@@ -62,7 +62,8 @@ export interface Shown {
 const rest = 2000;
 
 /**
- * `show` brings a step to the page and resolves when it is drawn. Each picture has its sentence below.
+ * `show` brings a step to the page and resolves when it is drawn. Each picture has its sentence
+ * below.
  */
 export async function gifOf(
   from: number,

@@ -1,6 +1,5 @@
 // Moves an eye around the point it looks at, as a hand on the picture does. Does not draw.
-import { cross, dot, minus } from './camera';
-import type { Point } from './steps/log';
+import { cross, dot, minus, type Point } from './point';
 
 export interface Eye {
   readonly eye: Point;

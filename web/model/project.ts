@@ -1,6 +1,6 @@
 // Lines in space on a picture: a matrix of 4 x 4 numbers, by columns, from world to clip space, as
 // the machine has it. Does not draw.
-import type { Point } from './steps/log';
+import type { Point } from './point';
 
 export type Line = readonly [x1: number, y1: number, x2: number, y2: number];
 

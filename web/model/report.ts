@@ -79,8 +79,10 @@ export const planesOfPass = (pass: Pass): PlaneName[] =>
 export const isChanged = (pass: Pass, plane: PlaneName): boolean =>
   pass.planes[plane]?.change !== undefined;
 
-/** Identifiers if the pass wrote some, else the first plane that it changed; of a pass of identifiers
- * that changed nothing, these too. */
+/**
+ * Identifiers if the pass wrote some, else the first plane that it changed; of a pass of
+ * identifiers that changed nothing, these too.
+ */
 export function tellingPlane(pass: Pass): PlaneName {
   if (pass.identifiers && isChanged(pass, 'identifiers')) return 'identifiers';
   const changed = planesOfPass(pass).find((plane) => isChanged(pass, plane));

@@ -1,6 +1,6 @@
 // The settings of all pages, and their place in the address. Does not touch the page:
 // PageHeader.svelte does.
-import type { Language } from './steps/log';
+import type { Language } from '../words/language';
 import type { Palette } from './palette';
 
 export interface Settings {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { minus, dot } from '../model/camera';
+import { minus, dot } from '../model/point';
 import { dolly, orbit, type Eye } from '../model/orbit';
 
 const start: Eye = { eye: [0, 0, 5], at: [0, 0, 0], up: [0, 1, 0] };

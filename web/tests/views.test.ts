@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { fromAddress, toAddress } from '../model/address';
-import { Camera, depthAt, planeThrough } from '../model/camera';
+import { Camera, depthAt, planeThrough } from '../model/steps/camera';
 import { nameAt, spread, type Label } from '../model/steps/labels';
 import { pathsOf } from '../model/steps/lines';
 import { parseLog, type Loop, type Step } from '../model/steps/log';

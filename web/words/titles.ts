@@ -1,5 +1,5 @@
 // The titles of the project's algorithms in Japanese. The English ones come with the data.
-import type { Language } from '../model/steps/log';
+import type { Language } from './language';
 
 const japanese: Readonly<Record<string, string>> = {
   'back-face': '裏を向いた面の除去だけ [L3]',

@@ -1,6 +1,6 @@
 // The state of the exhibit of hidden surfaces in the address, and what it asks the engine.
 import { known } from '../../model/settings';
-import type { ExhibitState } from '../exhibit';
+import type { ExhibitState } from '../exhibit/exhibit';
 import type { View } from '../machine/protocol';
 
 export interface HiddenOptions extends View {

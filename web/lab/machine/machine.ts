@@ -1,5 +1,5 @@
-// The machine as the page sees it: every method of the worker as a promise. A worker that is stopped,
-// or whose memory is full, is ended, and another one begins with the same files.
+// The machine as the page sees it: every method of the worker as a promise. A worker that is
+// stopped, or whose memory is full, is ended, and another one begins with the same files.
 import { beginWorker } from './begin_worker';
 import { folder } from './data';
 import type { Answer, Files, Methods } from './protocol';

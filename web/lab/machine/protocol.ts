@@ -1,5 +1,5 @@
-// What the page asks the worker, and what it answers. The methods that one exhibit needs stand in its
-// folder (hidden/state.ts, passes/protocol.ts, ...).
+// What the page asks the worker, and what it answers. The methods that one exhibit needs stand in
+// its folder (hidden/state.ts, passes/protocol.ts, ...).
 
 export interface View {
   readonly width: number;
@@ -50,8 +50,8 @@ export interface Started {
 }
 
 /**
- * The methods: arguments to answers. start, write and open are the worker's; all others are rows of the
- * engine's table (web/engine/method.h), from options to an answer.
+ * The methods: arguments to answers. start, write and open are the worker's; all others are rows of
+ * the engine's table (web/engine/method.h), from options to an answer.
  */
 export interface Methods {
   /** Texts of the page, or a module compiled before; `vectors`: which of the two engines it is. */

@@ -100,7 +100,9 @@ const own: { [M in Own]: (...values: Parameters<Methods[M]>) => unknown } = {
   },
 };
 
-/** The engine answers its refusals itself; a number is an exception for which text found no room. */
+/**
+ * The engine answers its refusals itself; a number is an exception for which text found no room.
+ */
 function reasonOf(error: unknown): string {
   if (typeof error === 'number') return 'not enough memory; expected a smaller scene or picture';
   return error instanceof Error ? error.message : String(error);

@@ -1,5 +1,5 @@
 // The state of the exhibit of the visitor's algorithm in the address, and what it asks the engine.
-import type { ExhibitState } from '../exhibit';
+import type { ExhibitState } from '../exhibit/exhibit';
 import type { Graded } from '../hidden/state';
 
 declare module '../machine/protocol' {

@@ -1,8 +1,8 @@
 // The state of the exhibit of passes in the address.
 import { clamped } from '../../model/keys';
 import { known, pointFrom } from '../../model/settings';
-import type { Point } from '../../model/steps/log';
-import type { ExhibitState } from '../exhibit';
+import type { Point } from '../../model/point';
+import type { ExhibitState } from '../exhibit/exhibit';
 
 export interface PassesState {
   samples: number;

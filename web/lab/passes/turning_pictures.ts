@@ -1,6 +1,7 @@
 // Pictures of a turning eye, from two machines in turn: while one draws, the other one begins the
-// next. Only the latest request waits; a picture that is ready after a later one is dropped. Eq. 1 has
-// every fourth eye only, so that eq. 2 has most of the time. What is too slow is drawn with less.
+// next. Only the latest request waits; a picture that is ready after a later one is dropped. Eq. 1
+// has every fourth eye only, so that eq. 2 has most of the time. What is too slow is drawn with
+// less.
 import type { Machine } from '../machine/machine';
 import type { PassesOptions } from './protocol';
 

@@ -1,7 +1,7 @@
 // The state of the exhibit of one pixel in the address: the triangle's corners and how it is drawn.
 import { known, numbersFrom } from '../../model/settings';
-import { profiles } from '../address';
-import type { ExhibitState } from '../exhibit';
+import { profiles } from '../exhibit/lab_state';
+import type { ExhibitState } from '../exhibit/exhibit';
 
 export interface Corner {
   /** Sub-pixels: from the left, from the bottom. */

@@ -1,5 +1,5 @@
 // The state of the exhibit of radiosity in the address.
-import type { ExhibitState } from '../exhibit';
+import type { ExhibitState } from '../exhibit/exhibit';
 import type { LightChange } from './protocol';
 
 export const changesOf = ['Kd', 'dim', 'move'] as const satisfies LightChange['what'][];

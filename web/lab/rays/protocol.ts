@@ -1,6 +1,6 @@
 // What the exhibit of rays asks the engine, and what it answers.
 import type { DrawOptions, View } from '../machine/protocol';
-import type { Point } from '../../model/steps/log';
+import type { Point } from '../../model/point';
 
 export interface RaysOptions extends DrawOptions {
   /** Rays in a path, the one from the eye counted. */

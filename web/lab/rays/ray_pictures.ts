@@ -1,5 +1,5 @@
-// Pictures that the page makes of what the machine says by pixel. Four bytes a pixel, as the machine
-// gives pictures.
+// Pictures that the page makes of what the machine says by pixel. Four bytes a pixel, as the
+// machine gives pictures.
 import { channels } from '../../model/palette';
 
 /** The pixels that are traced in their colours, all others dark grey. */

@@ -1,6 +1,7 @@
 // The input of the views: a replay at a position, with the settings of the page. Views do not
 // change it.
-import type { Language, Step, Window } from './log';
+import type { Step, Window } from './log';
+import type { Language } from '../../words/language';
 import type { Replay } from './replay';
 import type { Words } from '../../words/en';
 

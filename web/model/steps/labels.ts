@@ -17,7 +17,10 @@ export function middleOf(outline: readonly Loop[]): [number, number] | undefined
   return [mean(0), mean(1)];
 }
 
-/** Where the outline's name stands: in its middle if it has room there, else above it, or below at the picture's top. */
+/**
+ * Where the outline's name stands: in its middle if it has room there, else above it, or below at
+ * the picture's top.
+ */
 export function nameAt(
   outline: readonly Loop[],
   text: string,

@@ -1,4 +1,4 @@
-// The lines that a hidden-line algorithm has drawn, as paths of SVG. Does not decide what is hidden.
+// The lines that a hidden-line algorithm has drawn, as paths of SVG. Does not decide visibility.
 import type { DrawnLine, Step } from './log';
 
 export interface DrawnPaths {

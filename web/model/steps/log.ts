@@ -1,12 +1,11 @@
 // A step log as `gw hidden --steps` writes it: lines of JSON, described in docs/hiddensurfaces.md
 // and checked by steps.schema.json. y counts downwards from the picture's upper edge.
+import type { Language } from '../../words/language';
+import type { Point } from '../point';
 
 export type Level = 'polygon' | 'line' | 'span' | 'pixel';
 export type Kind = 'compare' | 'decide' | 'sort' | 'split' | 'draw';
-export type Language = 'en' | 'ja';
 
-/** x and y in units of the window grid, z in units of the depth plane; in the world: world units. */
-export type Point = readonly [number, number, number];
 export type Loop = readonly Point[];
 export type Value = boolean | number | string | readonly number[] | readonly string[];
 

@@ -1,6 +1,7 @@
 // The outline of a polygon or piece that a log gives in triangles: a side between two of them is no
 // side of the whole. Does not draw.
-import type { Loop, Point } from './log';
+import type { Loop } from './log';
+import type { Point } from '../point';
 
 /** The same for points that differ by rounding only. */
 const keyOf = (p: Point): string => `${Math.round(p[0] * 256)},${Math.round(p[1] * 256)}`;

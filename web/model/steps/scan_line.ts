@@ -1,6 +1,6 @@
 // The cut of a scan line through all polygons: the segments of the x-z diagram, and the depth at a
 // pixel. Does not draw.
-import { depthAt } from '../camera';
+import { depthAt } from './camera';
 import type { Header, HeaderPiece, Loop, Polygon } from './log';
 import { whole } from './outline';
 

@@ -1,5 +1,6 @@
 // A step's sentence, made from the words of the log and the step's values.
-import type { Header, Language, Step, Value } from './log';
+import type { Header, Step, Value } from './log';
+import type { Language } from '../../words/language';
 
 /** Six digits as C's %.6g; all whole digits of large numbers. */
 export function general(value: number): string {

@@ -112,7 +112,7 @@ export function placed(tree: Tree, most = 400): Placed[] {
   return all;
 }
 
-/** The place of the node in question; if it is left out, of what is above it. Without one the root's. */
+/** The place of the node in question; if it is left out, of its parent. Without one: the root's. */
 export function nearest(
   places: readonly Placed[],
   isWanted: (node: TreeNode) => boolean,

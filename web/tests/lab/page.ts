@@ -12,7 +12,7 @@ let complaints: string[];
 
 export const thePage = (): Page => page;
 
-/** Before each test a new page, or one for all; after it no complaint and no request of the network. */
+/** Before each test a new page, or one for all; after it no complaint and no network request. */
 export function inChromium(once = false): void {
   const before = once ? beforeAll : beforeEach;
   const after = once ? afterAll : afterEach;

@@ -1,18 +1,7 @@
 // Converts the window's grid and the world to the camera's space: x to the right, y upwards, z away
 // from the eye, in world units. Serves the views from above and from the side. Does not draw.
-import type { Header, Loop, Plane, Point } from './steps/log';
-
-export const minus = (a: Point, b: Point): Point => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-export const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const cross = (a: Point, b: Point): Point => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const unit = (a: Point): Point => {
-  const length = Math.sqrt(dot(a, a)) || 1;
-  return [a[0] / length, a[1] / length, a[2] / length];
-};
+import { cross, dot, minus, unit, type Point } from '../point';
+import type { Header, Loop, Plane } from './log';
 
 export class Camera {
   private readonly right: Point;

@@ -1,5 +1,5 @@
-// Requests to the machine of which only the latest counts: while one is worked on, later ones replace
-// each other. Says whether the work takes long, and why the last one failed.
+// Requests to the machine of which only the latest counts: while one is worked on, later ones
+// replace each other. Says whether the work takes long, and why the last one failed.
 const longWork = 400; // milliseconds
 
 export class RequestLoop<Request> {

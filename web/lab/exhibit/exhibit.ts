@@ -1,9 +1,10 @@
-// What an exhibit is to the lab: a row of the registry (exhibits.ts). The lab knows nothing else of it.
+// What an exhibit is to the lab: a row of the registry (lab/exhibits.ts). The lab knows nothing
+// else of it.
 import type { Component } from 'svelte';
-import type { Words } from '../words/en';
-import type { LabState } from './address';
-import type { Machine } from './machine/machine';
-import type { SceneFacts, Started } from './machine/protocol';
+import type { Words } from '../../words/en';
+import type { LabState } from './lab_state';
+import type { Machine } from '../machine/machine';
+import type { SceneFacts, Started } from '../machine/protocol';
 
 export interface ExhibitProps<Choices> {
   machine: Machine;

@@ -1,0 +1,2 @@
+// The languages of all pages.
+export type Language = 'en' | 'ja';
