@@ -61,18 +61,6 @@ void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
     files.commit();
 }
 
-/// The figure that reflects most, and the share that stays.
-std::string why_stalled(const radiosity::PixmapModel& model, const Step& last) {
-    const auto reflectance = [](const radiosity::Figure& figure) {
-        return std::max({figure.rho.x, figure.rho.y, figure.rho.z});
-    };
-    const radiosity::Figure& most = *std::ranges::max_element(model.figures, {}, reflectance);
-    return fmt::format(
-        "stopped after {} shots: {:.4f} of the energy stays unshot, because it neither escapes nor is "
-        "absorbed; '{}' reflects {:g} of its light; expected Kd below 1",
-        last.shots, last.unshot, most.name, reflectance(most));
-}
-
 class Run {
 public:
     Run(const RadiosityOptions& options, Session& session, const scene::Scene& scene,
@@ -174,7 +162,7 @@ private:
         files.commit();
         const Step& last = steps_.back();
         const radiosity::PixmapModel& model = solver_.model();
-        if (stalled_) print_warning(why_stalled(model, last));
+        if (stalled_) print_warning(radiosity::why_stalled(model, last.shots, last.unshot));
         print(fmt::format("{}, {}, {}, {}\n",
                           inspect::plural(model.figures.size(), "figure", "figures"),
                           inspect::plural(model.pixmaps.size(), "pixmap", "pixmaps"),

@@ -2,11 +2,13 @@
 #include "radiosity/display/display.h"
 #include "radiosity/model/figures.h"
 #include "radiosity/solver/solver.h"
+#include "radiosity/solver/stall.h"
 
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 
@@ -33,6 +35,7 @@ public:
         solver_ = without_lock([&] {
             return std::make_unique<rd::Solver>(rd::make_model(scene_, options_), options);
         });
+        watch();
     }
 
     py::object shoot() {
@@ -42,6 +45,8 @@ public:
             const auto done = solver_->shoot();
             shots = solver_->solution().shots;
             unshot = books(solver_->model(), solver_->solution()).unshot_share();
+            if (done && stall_->after_shot(unshot))
+                why_stalled_ = rd::why_stalled(solver_->model(), shots, unshot);
             return done;
         });
         if (!shot) return py::none();
@@ -52,6 +57,15 @@ public:
         out["hemicubes"] = shot->hemicubes;
         out["unshot"] = unshot;
         return out;
+    }
+
+    /// The next shot of the iterator, which ends if the unshot light cannot fall.
+    py::object next() {
+        const auto stalled = in_turn(turn_, [&] { return why_stalled_; });
+        const py::object shot = stalled ? py::none() : shoot();
+        if (stalled) warn({*stalled});
+        if (shot.is_none()) throw py::stop_iteration();
+        return shot;
     }
 
     py::dict books_now() const {
@@ -118,6 +132,7 @@ public:
         const rd::Update done = cancelable(turn_, cancel_, [&] {
             const rd::Update update = solver_->update(rd::make_model(scene, options_));
             scene_ = std::move(scene);
+            watch();
             return update;
         });
         py::dict out;
@@ -156,6 +171,11 @@ public:
     }
 
 private:
+    void watch() {
+        stall_.emplace(solver_->model().patches.size());
+        why_stalled_.reset();
+    }
+
     dvec3 value_of(const std::string& what, std::size_t texel) const {
         const rd::PixmapModel& model = solver_->model();
         const rd::Solution& solution = solver_->solution();
@@ -171,6 +191,8 @@ private:
     rd::FormFactorOptions form_factors_;
     std::atomic<bool> cancel_ = false;
     std::unique_ptr<rd::Solver> solver_;
+    std::optional<rd::Stall> stall_;
+    std::optional<std::string> why_stalled_;
     mutable std::mutex turn_;
 };
 
@@ -179,7 +201,8 @@ private:
 void add_radiosity(py::module_& m) {
     py::class_<HeldSolver>(m, "Radiosity",
                            "Progressive refinement [F1c]: the patch with the most unshot energy "
-                           "shoots. An iterator of shots.")
+                           "shoots. An iterator of shots, which ends with a warning if the unshot "
+                           "light neither escapes nor is absorbed.")
         .def(py::init<const scene::Scene&, int, double, int, int>(), py::arg("scene"),
              py::kw_only(), py::arg("hemicube") = 128, py::arg("texels_per_unit") = 0.0,
              py::arg("patch") = 4, py::arg("threads") = 0,
@@ -188,12 +211,7 @@ void add_radiosity(py::module_& m) {
              "One shot: its number, patch, flux, hemicubes drawn and the share of light still "
              "unshot; None if nothing is unshot. Ctrl-C leaves the solution as it was.")
         .def("__iter__", [](py::object self) { return self; })
-        .def("__next__",
-             [](HeldSolver& s) {
-                 const py::object shot = s.shoot();
-                 if (shot.is_none()) throw py::stop_iteration();
-                 return shot;
-             })
+        .def("__next__", &HeldSolver::next)
         .def("books", &HeldSolver::books_now,
              "Energy by channel: emitted = absorbed + unshot + "
              "escaped.")

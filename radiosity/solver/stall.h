@@ -1,7 +1,11 @@
 // Light that neither escapes nor is absorbed is shot for ever [F1c]: a closed room of reflectance 1.
 #pragma once
 
+#include "radiosity/model/pixmap_model.h"
+
 #include <cstddef>
+#include <cstdint>
+#include <string>
 
 namespace gw::radiosity {
 
@@ -24,5 +28,8 @@ private:
     std::size_t patches_, shots_ = 0;
     double before_ = -1;
 };
+
+/// For people: the figure that reflects most, and the share of the energy that stays unshot.
+std::string why_stalled(const PixmapModel& model, std::uint64_t shots, double unshot_share);
 
 }  // namespace gw::radiosity

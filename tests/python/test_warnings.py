@@ -1,0 +1,41 @@
+"""Input that is valid and not done as asked: one warning that names it, and never an endless loop."""
+import itertools
+import warnings
+
+import gw
+import pytest
+
+def room(Kd):
+    scene = gw.Scene()
+    scene.add("white room", gw.make_room(),
+              gw.SceneMaterial(name="white", Kd=(Kd, Kd, Kd), Ke=(1, 1, 1)))
+    return gw.Radiosity(scene, hemicube=16, texels_per_unit=1)
+
+
+def test_light_that_is_not_absorbed_ends_with_a_warning():
+    light = room(1)
+    most = 4 * max(light.patches, 16)
+    with pytest.warns(UserWarning, match="'white room' reflects 1 of its light; expected Kd below 1"):
+        shots = len(list(itertools.islice(light, most)))
+    assert shots < most
+    with pytest.warns(UserWarning, match="neither escapes nor is absorbed"):
+        assert list(light) == []
+    assert light.shoot()["shot"] == shots + 1  # as asked
+
+
+def test_a_room_that_absorbs_shoots_on_without_a_word():
+    light = room(0.9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert any(shot["unshot"] < 0.01 for shot in itertools.islice(light, 10000))
+
+
+def test_an_update_begins_to_watch_again():
+    light = room(1)
+    with pytest.warns(UserWarning):
+        list(itertools.islice(light, 4 * max(light.patches, 16)))
+    scene = gw.Scene()
+    scene.add("white room", gw.make_room(),
+              gw.SceneMaterial(name="white", Kd=(0.5, 0.5, 0.5), Ke=(1, 1, 1)))
+    light.update(scene)
+    assert len(list(itertools.islice(light, 3))) == 3
