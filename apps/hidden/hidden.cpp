@@ -254,6 +254,19 @@ void warn_of_coarse(const std::string& algorithm, const hs::StepLog& log) {
                                   hs::name_of(log.finest()), algorithm, hs::name_of(finest)));
 }
 
+/// One line for all algorithms that took two planes for one.
+void warn_of_one_plane(const hs::Input& input, const std::vector<Compared>& all) {
+    std::string names;
+    hs::OnePlane most;
+    for (const Compared& run : all) {
+        const hs::OnePlane& found = run.result.one_plane;
+        if (!run.algorithm->in_world || found.pixels == 0) continue;
+        names += (names.empty() ? "" : ", ") + run.algorithm->name;
+        if (found.pixels > most.pixels) most = found;
+    }
+    if (!names.empty()) print_warning(hs::one_plane_warning(names, input, most));
+}
+
 int surfaces(const HiddenOptions& options, Session& session) {
     Progress progress("reading", options.picture.quiet);
     const Profile profile = load_profile(options.picture, session);
@@ -278,6 +291,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
         warn_of_coarse(algorithm->name, log);
         all.push_back({algorithm, std::move(result), std::move(log)});
     }
+    warn_of_one_plane(input, all);
     progress.at("writing");
     if (!options.steps.empty()) put_all_steps(output, options, input, all);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);

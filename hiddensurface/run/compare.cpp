@@ -4,9 +4,13 @@
 #include "hiddensurface/model/scan_conversion.h"
 #include "hiddensurface/structures/bsp_tree.h"
 #include "scene/draw/draw_commands.h"
+#include "scene/text/suggest.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace gw::hiddensurface {
 namespace {
@@ -31,6 +35,9 @@ void add_machine_counts(const std::vector<PassReport>& passes, Counts& counts) {
 
 /// A sub-pixel unit is one unit of the grid.
 constexpr double reach = 1;
+
+/// Two faces that are both in a third one's plane may be as far apart, in tolerances.
+constexpr double most_apart = 2;
 
 double distance(const CutEdge& edge, const dvec2& p) {
     const dvec2 side = edge.second - edge.first, to = p - edge.first;
@@ -65,6 +72,7 @@ Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, 
 void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const Input& input) {
     const Differences differences(input, result.pieces);
     result.difference.assign(result.ids.size(), Difference::None);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (std::size_t i = 0; i < result.ids.size(); ++i) {
         const int x = int(i) % input.view.width, y = int(i) / input.view.width;
         result.difference[i] = differences.at(result.ids[i], z_buffer[i], x, y);
@@ -73,9 +81,33 @@ void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const I
             case Difference::Tie: result.counts.ties += 1; break;
             case Difference::Edge: result.counts.edges += 1; break;
             case Difference::Snap: result.counts.snapped += 1; break;
-            case Difference::Wrong: result.counts.wrong += 1; break;
+            case Difference::Wrong:
+                result.counts.wrong += 1;
+                if (!differences.in_one_plane(result.ids[i], z_buffer[i], x, y)) break;
+                if (result.one_plane.pixels++ == 0)
+                    result.one_plane.first = {result.ids[i], z_buffer[i]};
+                pairs.insert(std::minmax(result.ids[i], z_buffer[i]));
+                break;
         }
     }
+    result.one_plane.pairs = pairs.size();
+}
+
+std::string one_plane_warning(const std::string& algorithms, const Input& input,
+                              const OnePlane& found) {
+    const auto named = [&](std::uint32_t id) {
+        const auto polygon = std::ranges::find(input.polygons, id, &Polygon::id);
+        return fmt::format("{} of '{}'", id,
+                           scene::printable(input.scene.objects[polygon->object].name));
+    };
+    return fmt::format(
+        "{}: polygons {} and {} are so near that their planes count as one, and the first of the "
+        "scene is seen: {} wrong, of {}; expected them more than {:.3g} apart, 2 millionths of the "
+        "largest coordinate",
+        algorithms, named(found.first.first), named(found.first.second),
+        found.pixels == 1 ? "1 pixel is" : fmt::format("{} pixels are", found.pixels),
+        found.pairs == 1 ? "1 pair" : fmt::format("{} pairs", found.pairs),
+        most_apart * world_tolerance(input.polygons));
 }
 
 std::vector<std::uint8_t> depth_complexity(const Input& input) {
@@ -166,6 +198,14 @@ bool Differences::snap_turned(std::uint32_t id, const WindowTriangle& shown, std
     const dvec2 middle = middle_of(x, y);
     return !covers_in_scene(a, middle) || !covers_in_scene(b, middle) ||
            scene_depth(a, middle, tolerance_) <= scene_depth(b, middle, 0);
+}
+
+bool Differences::in_one_plane(std::uint32_t id, std::uint32_t expected, int x, int y) const {
+    const WindowTriangle *shown = covering(id, x, y), *other = covering(expected, x, y);
+    if (!shown || !other) return false;
+    const dvec2 middle = middle_of(x, y);
+    return scene_depth(facet_of(id, *shown), middle, most_apart * tolerance_) <=
+           scene_depth(facet_of(expected, *other), middle, 0);
 }
 
 dvec2 Differences::middle_of(int x, int y) const {

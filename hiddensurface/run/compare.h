@@ -31,6 +31,10 @@ public:
     /// Why pixel x, y differs, at which the algorithm shows `id` and the Z-buffer `expected`.
     Difference at(std::uint32_t id, std::uint32_t expected, int x, int y) const;
 
+    /// Whether the shown one is behind by so little that the planes of the two count as one for an
+    /// algorithm that decides in the world (world_tolerance).
+    bool in_one_plane(std::uint32_t id, std::uint32_t expected, int x, int y) const;
+
 private:
     struct Known {
         const Polygon* polygon = nullptr;
@@ -60,6 +64,12 @@ private:
     std::map<std::uint32_t, Known> known_;
 };
 
+/// Wrong pixels of polygons whose planes count as one.
+struct OnePlane {
+    std::uint64_t pixels = 0, pairs = 0;
+    std::pair<std::uint32_t, std::uint32_t> first;  ///< identifiers: shown, expected
+};
+
 struct Result {
     Counts counts;                       ///< of the algorithm, the machine and the comparison
     std::vector<std::uint32_t> ids;      ///< bottom row first
@@ -67,6 +77,7 @@ struct Result {
     std::vector<Difference> difference;  ///< as `ids`; empty: not compared
     std::vector<Piece> pieces;
     std::vector<Share> shares;
+    OnePlane one_plane;  ///< counted by compare
 };
 
 /// Runs the algorithm, executes its list on a machine of the view's size and reads the pixels. A
@@ -76,6 +87,10 @@ Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, 
 /// Compares with the Z-buffer's identifiers and counts ties, edges, snapped and wrong pixels in
 /// result.counts.
 void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const Input& input);
+
+/// For people: a pair, its objects, the tolerance. `algorithms`: their names, which decide in the world.
+std::string one_plane_warning(const std::string& algorithms, const Input& input,
+                              const OnePlane& found);
 
 /// The depth complexity: the number of polygons over each pixel, visible or not, at most 255.
 std::vector<std::uint8_t> depth_complexity(const Input& input);

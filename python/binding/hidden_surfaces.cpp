@@ -11,6 +11,7 @@
 #include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 
@@ -74,6 +75,8 @@ RunRef run_algorithm(const scene::Scene& scene, const std::string& name, hs::Lev
     if (limit > 0 && hs::is_beyond(estimate, limit))
         throw Error(text_of(estimate) + "; limit=0 to try");
     run(*out, algorithm, threads);
+    if (algorithm.in_world && out->result.one_plane.pixels > 0)
+        warn({hs::one_plane_warning(name, out->input, out->result.one_plane)});
     return out;
 }
 

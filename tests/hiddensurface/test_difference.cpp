@@ -90,4 +90,43 @@ TEST(Snap, MovesFacetsSeenFromTheEdgeByTheSlopesOfTheScene) {
     EXPECT_EQ(trial.run("scan-line").ids, trial.z_buffer.ids);
 }
 
+namespace {
+
+/// Two sheets through one line, whose corners are `lift` above and below it.
+scene::Scene crossed_sheets(double lift) {
+    MeshData data{.primitive = Primitive::Quads};
+    for (const float z : {0.0f, float(lift)})
+        for (const auto& [x, y] :
+             {std::pair(-2, -2), std::pair(2, -2), std::pair(2, 2), std::pair(-2, 2)})
+            data.positions.push_back(vec3(float(x), float(y), y < 0 ? z : -z));
+    scene::Scene scene = polygon_scene(std::move(data));
+    scene.camera = scene::Camera{.eye = {0, 0, 10}, .at = {0, 0, 0}};
+    return scene;
+}
+
+}  // namespace
+
+TEST(OnePlane, IsToldOfSheetsThatTheToleranceOfPlanesJoins) {
+    Trial trial(crossed_sheets(1e-6));
+    for (const char* name : {"newell", "bsp", "schumacker", "quake"}) {
+        const Result result = trial.run(name);
+        EXPECT_GT(result.counts.wrong, 1000u) << name;
+        EXPECT_EQ(result.one_plane.pixels, result.counts.wrong) << name;
+        EXPECT_EQ(result.one_plane.pairs, 1u) << name;
+        const std::string text = one_plane_warning(name, trial.input, result.one_plane);
+        EXPECT_NE(text.find(" 1 of 'polygons' and 2 of 'polygons'"), std::string::npos) << text;
+        EXPECT_NE(text.find(std::to_string(result.counts.wrong) + " pixels are wrong, of 1 pair"),
+                  std::string::npos)
+            << text;
+        EXPECT_NE(text.find("more than 4e-06 apart"), std::string::npos) << text;
+    }
+}
+
+TEST(OnePlane, IsNotToldOfOtherMistakesOrOfSheetsFartherApart) {
+    EXPECT_EQ(Trial(crossed_sheets(1e-5)).run("bsp").counts.wrong, 0u);
+    const Result painter = Trial(case_scene("cycle")).run("painter-centroid");
+    EXPECT_GT(painter.counts.wrong, 0u);
+    EXPECT_EQ(painter.one_plane.pixels, 0u);
+}
+
 }  // namespace gw::hiddensurface

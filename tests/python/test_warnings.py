@@ -39,3 +39,16 @@ def test_an_update_begins_to_watch_again():
               gw.SceneMaterial(name="white", Kd=(0.5, 0.5, 0.5), Ke=(1, 1, 1)))
     light.update(scene)
     assert len(list(itertools.islice(light, 3))) == 3
+
+
+def test_planes_that_count_as_one_are_named():
+    corners = [(-2, -2), (2, -2), (2, 2), (-2, 2)]
+    sheets = [[x, y, z if y < 0 else -z] for z in (0, 1e-6) for x, y in corners]
+    scene = gw.Scene()
+    scene.add("sheets", gw.Mesh("Quads", sheets))
+    scene.camera = gw.Camera(eye=(0, 0, 10), at=(0, 0, 0))
+    with pytest.warns(UserWarning, match="bsp: polygons 1 of 'sheets' and 2 of 'sheets' .* are wrong"):
+        gw.hidden.run(scene, "bsp", width=64, height=48)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        gw.hidden.run(scene, "z-buffer", width=64, height=48)
