@@ -69,7 +69,7 @@ HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, i
     for (const scene::Light& light : scene.lights) {
         maps_.emplace_back();
         if (light.shadow == scene::Shadow::None) continue;
-        const auto views = multipass::light_views(light, scene::bounds(scene), size(width, height));
+        const auto views = multipass::light_views(light, scene, size(width, height));
         maps_.back() = multipass::draw_shadow_maps(machine, model, views, width, height);
     }
     for (const auto& maps : maps_) lookups_.emplace_back(maps, machine.profile());

@@ -4,6 +4,7 @@
 #include "multipass/frame/frame_drawer.h"
 #include "multipass/frame/superpose.h"
 #include "multipass/steps/commands.h"
+#include "scene/draw/nearest.h"
 
 #include <glm/matrix.hpp>
 
@@ -27,7 +28,7 @@ std::uint16_t mean16(std::uint64_t sum, std::uint64_t n, std::uint64_t max) {
 
 /// Pixels of a view for each texel of its map.
 constexpr int fineness = 2;
-/// The nearest depth of a view in parts of the farthest.
+/// The nearest depth of a view in parts of the farthest, if nothing stands before it.
 constexpr double near_part = 1.0 / 4096;
 
 std::array<std::vector<scene::Map>*, 2> looked_up_by_ray(scene::Material& m) {
@@ -66,7 +67,9 @@ std::array<scene::View, 6> views_from(const dvec3& p, const scene::Scene& s, int
     for (int k = 0; k < 3; ++k)
         farthest += std::max(std::abs(b.low[k] - p[k]), std::abs(b.high[k] - p[k]));
     farthest = std::max(farthest, 1e-6);
-    return scene::cube_views(p, farthest * near_part, farthest, size);
+    auto views = scene::cube_views(p, farthest * near_part, farthest, size);
+    for (scene::View& view : views) view = scene::sparing_near(view, s);
+    return views;
 }
 
 /// The window of width x height pixels whose lower left one is pixel (x, y) of the view.

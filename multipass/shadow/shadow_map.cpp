@@ -7,6 +7,7 @@
 #include "multipass/steps/commands.h"
 #include "multipass/steps/placed_model.h"
 #include "scene/draw/draw_commands.h"
+#include "scene/draw/nearest.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +55,10 @@ scene::View spot_view(const scene::Light& light, double near_plane, double far_p
     const dvec3 p(light.position);
     scene::View view{.width = size, .height = size};
     view.eye_from_world = scene::look_at(p, p + dvec3(light.direction), dvec3(0, 1, 0));
-    const double slope = tan_degrees(std::max(light.cone_angle, 0.1)) * 1.02 * near_plane;
+    const double cone = std::max(light.cone_angle, 0.1),
+                 slope = tan_degrees(cone) * 1.02 * near_plane;
+    // Its tangent is at least the slope's: wider than the view.
+    view.camera = {.fov = 2 * 1.02 * cone, .near_plane = near_plane, .far_plane = far_plane};
     view.clip_from_eye = scene::frustum(-slope, slope, -slope, slope, near_plane, far_plane);
     return view;
 }
@@ -140,6 +144,18 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Bou
     // sqrt(3).
     const auto cube = scene::cube_views(dvec3(light.position), near_plane * 0.57, far_plane, size);
     return {cube.begin(), cube.end()};
+}
+
+std::vector<scene::View> light_views(const scene::Light& light, const scene::Scene& scene,
+                                     int size) {
+    std::vector<scene::View> views = light_views(light, scene::bounds(scene), size);
+    if (light.kind == scene::LightKind::Directional) return views;
+    scene::Scene casting;
+    for (const scene::Object& object : scene.objects)
+        if (object.casts_shadow && scene.materials[object.material].d >= 1)
+            casting.objects.push_back(object);
+    for (scene::View& view : views) view = scene::sparing_near(view, casting);
+    return views;
 }
 
 int shadow_map_size(int width, int height) {

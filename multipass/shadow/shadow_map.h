@@ -29,8 +29,13 @@ struct ShadowMap {
 };
 
 /// The views from which a light's maps are drawn. Directional lights (for the whole scene) and
-/// spots of at most 60 degrees to the side have one; others have six.
+/// spots of at most 60 degrees to the side have one; others have six. They begin at a 4096th of the
+/// bounds' farthest distance.
 std::vector<scene::View> light_views(const scene::Light& light, const scene::Bounds& bounds,
+                                     int size);
+/// The same, but for views that begin nearer if an object of the scene that casts a shadow needs it,
+/// down to a 65536th.
+std::vector<scene::View> light_views(const scene::Light& light, const scene::Scene& scene,
                                      int size);
 
 /// The side of the maps for a window: the power of two that is at least twice its longer side, at

@@ -46,9 +46,9 @@ void find_masks(Shadows& shadows, Machine& machine, const PassModel& model, cons
         if (lights[i].shadow != scene::Shadow::Map) continue;
         const int size = shadow_map_size(view.width, view.height);
         if (shadows.maps[i].empty())
-            shadows.maps[i] = draw_shadow_maps(
-                machine, model, light_views(lights[i], scene::bounds(*model.scene), size),
-                view.width, view.height);
+            shadows.maps[i] =
+                draw_shadow_maps(machine, model, light_views(lights[i], *model.scene, size),
+                                 view.width, view.height);
         if (ids.empty()) ids = scene::draw_item_buffer(machine, *model.scene, view, jitter);
         if (!polygons) polygons.emplace(*model.scene);
         shadows.masks[i] = shadow_mask(*polygons, lights[i], shadows.maps[i], ids, view, jitter,

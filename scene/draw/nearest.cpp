@@ -131,22 +131,23 @@ Nearest nearest_in(const View& view, const Scene& scene, double limit) {
     return nearest;
 }
 
+View sparing_near(const View& view, const Scene& scene) {
+    const double near_plane = view.camera.near_plane, far_plane = view.camera.far_plane;
+    const double nearest = nearest_in(view, scene, near_plane).distance;
+    if (nearest >= near_plane) return view;
+    return with_planes(view, std::max(nearest * (1 - spared_margin), far_plane * least_spared_near),
+                       far_plane);
+}
+
 View fitted_view(const Camera& camera, const Scene& scene, const Bounds& bounds, int width,
                  int height) {
-    const View view = make_view(camera, bounds, width, height);
-    double near_plane = view.camera.near_plane, far_plane = view.camera.far_plane;
+    View view = make_view(camera, bounds, width, height);
     if (camera.far_plane <= 0) {
         const double farthest = farthest_moved(scene, view.eye_from_world);
-        if (farthest > far_plane) far_plane = farthest * (1 + spared_margin);
+        if (farthest > view.camera.far_plane)
+            view = with_planes(view, view.camera.near_plane, farthest * (1 + spared_margin));
     }
-    if (camera.near_plane <= 0) {
-        const double nearest = nearest_in(view, scene, near_plane).distance;
-        if (nearest < near_plane)
-            near_plane = std::max(nearest * (1 - spared_margin), far_plane * least_spared_near);
-    }
-    const bool as_fitted =
-        near_plane == view.camera.near_plane && far_plane == view.camera.far_plane;
-    return as_fitted ? view : with_planes(view, near_plane, far_plane);
+    return camera.near_plane <= 0 ? sparing_near(view, scene) : view;
 }
 
 std::optional<Nearest> cut_by_near(const Scene& scene, const View& view) {

@@ -22,9 +22,12 @@ struct Nearest {
 /// move count where they begin, are and end.
 Nearest nearest_in(const View& view, const Scene& scene, double limit);
 
-/// The camera's view of a scene whose bounds these are. If something in the window stands nearer than
-/// the fitted near plane (make_view), near comes before it, down to a 65536th of far. A fitted far
-/// plane lies behind objects that move.
+/// The view with near before all that stands in its window, down to a 65536th of far. The camera's
+/// fov, ortho_height and planes are those of the matrices.
+View sparing_near(const View& view, const Scene& scene);
+
+/// The camera's view of a scene whose bounds these are. A fitted near plane (make_view) spares what
+/// stands before it, as sparing_near. A fitted far plane lies behind objects that move.
 View fitted_view(const Camera& camera, const Scene& scene, const Bounds& bounds, int width,
                  int height);
 

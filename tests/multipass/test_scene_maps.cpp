@@ -118,6 +118,13 @@ TEST(SceneMap, LeavesTheObjectItselfOut) {
     EXPECT_EQ(map_of(s)->levels, map_of(in_a_cube(32))->levels);
 }
 
+TEST(SceneMap, OfAFarReachShowsWhatIsNear) {
+    // Behind the wall in front: all walls are within a 4096th of its distance.
+    scene::Scene s = in_a_cube(32);
+    add_wall(s, "far", {0, 0, 40000}, {1, 1, 1});
+    EXPECT_EQ(map_of(s)->levels, map_of(in_a_cube(32))->levels);
+}
+
 TEST(SceneMap, OfAnObjectAloneIsTheBackground) {
     scene::Scene s = in_a_cube(16);
     s.objects.resize(1);

@@ -46,6 +46,18 @@ TEST(ShadowMap, OnEveryProfile) {
     for (const Profile& profile : paper_profiles()) expect_true(mapped(Case()), profile);
 }
 
+/// 16,000 below the floor: all else is within a 4096th of its distance.
+scene::Scene with_a_far_body(scene::Scene s) {
+    s.objects.push_back({.name = "far", .mesh = box_mesh()});
+    s.objects.back().world_from_object[3] = dvec4(0, -16000, 0, 1);
+    return s;
+}
+TEST(ShadowMap, OfAFarReachHasWhatIsNear) {
+    expect_true(with_a_far_body(mapped(Case().lamp({1.5f, 3, 1}))));
+    expect_true(with_a_far_body(mapped(spot(50))));
+    expect_true(with_a_far_body(mapped(spot(80))));
+}
+
 TEST(ShadowMap, DoesNotShadeWhatNothingHides) {
     // Light that grazes the floor: a bias too small would leave stripes.
     Case c;
