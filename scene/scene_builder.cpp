@@ -67,7 +67,8 @@ void warn_invisible(const Scene& scene, const std::string& file, Warnings& warni
                              "' is invisible (d 0, or Tr 1); expected d above 0");
 }
 
-MaterialNames::MaterialNames(const std::vector<Material>& list) : list_(&list) {
+MaterialNames::MaterialNames(const std::vector<Material>& list, std::string missing)
+    : list_(&list), missing_(std::move(missing)) {
     for (const Material& material : list) by_name_.try_emplace(material.name, &material);
 }
 
@@ -82,9 +83,12 @@ const Material& find_material(std::initializer_list<const MaterialNames*> lists,
     for (const MaterialNames* names : lists)
         if (const Material* material = names->find(name)) return *material;
     std::vector<std::string> known;
-    for (const MaterialNames* names : lists)
+    std::string missing;
+    for (const MaterialNames* names : lists) {
         for (const Material& material : names->list()) known.push_back(material.name);
-    throw Error(origin.file, origin.line, unknown("material", name, known));
+        if (!names->missing().empty()) missing += " (" + names->missing() + ")";
+    }
+    throw Error(origin.file, origin.line, unknown("material", name, known) + missing);
 }
 
 MeshRef make_numbered_mesh(MeshData data, std::uint32_t& next) {

@@ -43,14 +43,17 @@ void warn_invisible(const Scene& scene, const std::string& file, Warnings& warni
 /// Materials by name; of several with one name, the first. The list must not change meanwhile.
 class MaterialNames {
 public:
-    explicit MaterialNames(const std::vector<Material>& list);
+    /// `missing`: for people, why the list lacks some; empty: it is whole.
+    explicit MaterialNames(const std::vector<Material>& list, std::string missing = {});
 
     /// Null if there is none.
     const Material* find(std::string_view name) const;
     const std::vector<Material>& list() const { return *list_; }
+    const std::string& missing() const { return missing_; }
 
 private:
     const std::vector<Material>* list_ = nullptr;
+    std::string missing_;
     std::unordered_map<std::string_view, const Material*> by_name_;
 };
 

@@ -54,6 +54,7 @@ public:
         return std::move(build_.obj);
     }
     std::vector<Material> take_materials() { return std::move(materials_); }
+    const std::string& missing_library() const { return missing_; }
 
 private:
     struct Keyword {
@@ -189,18 +190,40 @@ private:
             in_.fail("mtllib has too many words; expected fewer than " +
                      std::to_string(most_library_blanks));
         while (!rest.empty()) {
-            const auto [name, path] = longest_file(rest);
+            const std::string_view name = first_name(rest);
             rest = trim(rest.substr(name.size()));
-            if (!libraries_.insert(path).second) continue;
-            for (Material& material : read_mtl(path, warnings_))
-                materials_.push_back(std::move(material));
+            library(name, find_file(folder_, trim(name)));
         }
     }
-    std::pair<std::string_view, std::filesystem::path> longest_file(std::string_view names) {
+    void library(std::string_view name, const std::filesystem::path& path) {
+        const std::string fault = file_fault(path);
+        if (fault == not_there) return missing(name);
+        if (!fault.empty())
+            in_.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
+        if (!libraries_.insert(path).second) return;
+        for (Material& material : read_mtl(path, warnings_))
+            materials_.push_back(std::move(material));
+    }
+    /// An error only where a material is not found: a scene may bring its own, or no face has one.
+    void missing(std::string_view name) {
+        const std::string text = "mtllib '" + printable(name) + "' " + std::string(not_there);
+        if (missing_.empty()) missing_ = "line " + std::to_string(in_.line()) + ": " + text;
+        warn("mtllib " + std::string(name), text + "; expected an MTL file");
+    }
+    /// The longest one that exists; if there is none, all that stands before one.
+    std::string_view first_name(std::string_view names) const {
+        if (const std::size_t size = longest_file(names); size > 0) return names.substr(0, size);
+        for (std::size_t at = names.find_first_of(" \t"); at != names.npos;
+             at = names.find_first_of(" \t", at + 1))
+            if (!is_blank(names[at + 1]) && longest_file(names.substr(at + 1)) > 0)
+                return names.substr(0, at);
+        return names;
+    }
+    /// 0: no file has a name that begins here.
+    std::size_t longest_file(std::string_view names) const {
         for (const std::size_t size : ends_of_names(names))
-            if (const auto path = existing_file(folder_, trim(names.substr(0, size))))
-                return {names.substr(0, size), readable(names.substr(0, size), *path)};
-        return {names, readable(names, find_file(folder_, names))};
+            if (existing_file(folder_, trim(names.substr(0, size)))) return size;
+        return 0;
     }
     /// Where the first name may end: after the whole text, or a word within the longest name.
     static std::vector<std::size_t> ends_of_names(std::string_view names) {
@@ -212,17 +235,12 @@ private:
         std::ranges::reverse(ends);
         return ends;
     }
-    std::filesystem::path readable(std::string_view name, const std::filesystem::path& path) const {
-        if (const std::string fault = file_fault(path); !fault.empty())
-            in_.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
-        return path;
-    }
-
     const std::filesystem::path folder_;
     Statements in_;
     Warnings& warnings_;
     ObjBuilder build_;
     std::vector<Material> materials_;
+    std::string missing_;
     std::set<std::filesystem::path> libraries_;  ///< read already
 };
 
@@ -263,7 +281,7 @@ ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, W
         for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
     add_normals(obj, options.crease.value_or(default_crease));
 
-    ObjFile file{path.string(), obj.origin, {}, reader.take_materials()};
+    ObjFile file{path.string(), obj.origin, {}, reader.take_materials(), reader.missing_library()};
     std::vector<MeshData> meshes = make_meshes(obj);
     for (std::size_t p = 0; p < meshes.size(); ++p) {
         const Part& part = obj.parts[p];

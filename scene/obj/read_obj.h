@@ -33,6 +33,7 @@ struct ObjFile {
     dvec3 origin{0};
     std::vector<ObjPart> parts;       ///< in the order of their first elements; at least one
     std::vector<Material> materials;  ///< of every mtllib, in order
+    std::string missing_library;      ///< of the first mtllib that does not exist, for people
 };
 
 /// Throws Error "file:line: what; expected what", for its MTL files as well. Does not check that a

@@ -76,7 +76,7 @@ bool file_exists(const fs::path& path) {
 std::string file_fault(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return "does not exist";
+    if (status.type() == fs::file_type::not_found) return std::string(not_there);
     if (fs::is_directory(status)) return "is a directory";
     if (fs::exists(status) && !fs::is_regular_file(status)) return "is a device or a pipe";
     if (::access(path.c_str(), R_OK) == 0) return {};

@@ -22,6 +22,7 @@ bool file_exists(const std::filesystem::path& path);
 /// Why this is no file to read: "does not exist", "is a directory", "is a device or a pipe",
 /// "cannot be opened: Permission denied"; empty for a readable file. Never throws.
 std::string file_fault(const std::filesystem::path& path);
+inline constexpr std::string_view not_there = "does not exist";
 
 /// The path that a file in `folder` means by a name: quotes taken off, '\' read as '/'.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name);

@@ -15,7 +15,7 @@ namespace {
 SceneFile read_bare_obj(const std::filesystem::path& path) {
     Warnings warnings;
     ObjFile file = read_obj(path, {}, warnings);
-    const MaterialNames materials(file.materials);
+    const MaterialNames materials(file.materials, file.missing_library);
     SceneBuilder builder;
     builder.scene.name = path.stem().string();
     for (ObjPart& part : file.parts) {

@@ -78,7 +78,7 @@ PixmapChoice to_pixmap(const TomlValue& table) {
 }  // namespace
 
 TomlObjects::SourceFile::SourceFile(ObjFile read)
-    : file(std::move(read)), materials(file.materials) {
+    : file(std::move(read)), materials(file.materials, file.missing_library) {
     for (const ObjPart& part : file.parts) parts.insert(part.name);
 }
 

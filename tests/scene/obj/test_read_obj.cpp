@@ -1,7 +1,11 @@
 // Claims: real OBJ files become the parts, vertices and indices that they describe.
 #include "scene/obj/read_obj.h"
 
+#include "gw/base/cancel.h"
+
 #include <gtest/gtest.h>
+
+#include <atomic>
 
 #include "tests/scene/folder.h"
 
@@ -131,6 +135,28 @@ TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
     for (const Material& material : file.materials) names.push_back(material.name);
     EXPECT_EQ(names, (Strings{"a", "b", "c"}));
     EXPECT_EQ(folder.warnings(), Strings());
+}
+
+TEST(ReadObj, EndsWhenItsCallerSaysSo) {
+    Folder folder;
+    std::string text;
+    for (int i = 0; i < 5000; ++i) text += "v 0 0 0\n";
+    const std::atomic<bool> cancel = true;
+    const CancelScope scope(&cancel);
+    EXPECT_THROW(folder.obj(text + "no statement\n"), Canceled);
+}
+
+TEST(ReadObj, WarnsOfALibraryThatIsMissingIfNothingNeedsIt) {
+    Folder folder;
+    folder.write("b.mtl", "newmtl b\n");
+    EXPECT_EQ(folder.obj("mtllib no such.mtl\n" + triangle + "f 1 2 3\n").parts.size(), 1u);
+    EXPECT_EQ(folder.warnings(),
+              Strings{"m.obj:1: mtllib 'no such.mtl' does not exist; expected an MTL file"});
+    const ObjFile file =
+        folder.obj("mtllib not there.mtl b.mtl\n" + triangle + "usemtl b\nf 1 2 3\n");
+    EXPECT_EQ(file.materials.size(), 1u);
+    EXPECT_EQ(folder.warnings(),
+              Strings{"m.obj:1: mtllib 'not there.mtl' does not exist; expected an MTL file"});
 }
 
 TEST(ReadObj, TakesVeryManyGroupsAndVerticesAtOnePoint) {

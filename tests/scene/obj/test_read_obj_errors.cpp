@@ -113,8 +113,10 @@ TEST_F(ObjError, UnknownMaterials) {
 }
 
 TEST_F(ObjError, MissingLibraries) {
-    EXPECT_EQ(folder.obj_error("mtllib no such.mtl\n"),
-              "m.obj:1: mtllib 'no such.mtl' does not exist; expected an MTL file");
+    EXPECT_EQ(
+        folder.scene_error("a.obj", "mtllib no such.mtl\n" + triangle + "usemtl red\nf 1 2 3\n"),
+        "a.obj:5: unknown material 'red'; none is known (line 1: mtllib 'no such.mtl' does not "
+        "exist)");
     EXPECT_EQ(folder.obj_error("mtllib\n"), "m.obj:1: mtllib names no file; expected one or more");
     std::filesystem::create_directory(folder.path() / "d");
     EXPECT_EQ(folder.obj_error("mtllib d\n"),
