@@ -133,7 +133,8 @@ Texels DecoderProcess::read(const std::filesystem::path& file) {
         throw Error(text);
     }
     check_sides(reply.width, reply.height);
-    Texels texels{.width = reply.width, .height = reply.height, .rgba = {}};
+    Texels texels{
+        .width = reply.width, .height = reply.height, .rgba = {}, .largest = reply.largest};
     const auto count = std::size_t(reply.width) * std::size_t(reply.height) * 4;
     const auto receive_values = [&](auto values) {
         values.resize(count);

@@ -10,6 +10,7 @@ struct DecoderReply {
     enum Kind : std::uint32_t { Message = 1, Bits8 = 8, Bits16 = 16 };
     std::uint32_t kind = Message;
     std::int32_t width = 0, height = 0;
+    float largest = 1;  ///< value of the file; above 1 it was clamped
     std::uint64_t bytes = 0;
 };
 

@@ -15,6 +15,7 @@ namespace gw::image {
 struct Texels {
     int width = 0, height = 0;
     std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> rgba;
+    float largest = 1;  ///< of R, G, B in the file; above 1 they are clamped
 };
 
 /// Call it before any pixel is read: a header may promise more pixels than fit into memory.

@@ -1,8 +1,10 @@
 #include "image/textures.h"
 
+#include "gw/base/cancel.h"
 #include "gw/error.h"
 #include "image/decoder_process.h"
 #include "image/png.h"
+#include "scene/text/number.h"
 
 #include <map>
 
@@ -29,7 +31,11 @@ TextureRef texture_of(std::string name, int width, int height,
     return make_texture(std::move(name), width, height, rgba);
 }
 
-using Cache = std::map<std::filesystem::path, TextureRef>;
+struct Loaded {
+    TextureRef texture;
+    float largest = 1;
+};
+using Cache = std::map<std::filesystem::path, Loaded>;
 
 std::filesystem::path key_of(const std::filesystem::path& file) {
     std::error_code error;
@@ -37,47 +43,64 @@ std::filesystem::path key_of(const std::filesystem::path& file) {
     return error ? file : real;
 }
 
-TextureRef read_texture(const std::filesystem::path& file, DecoderProcess& decoder) {
+Loaded read_texture(const std::filesystem::path& file, DecoderProcess& decoder) {
     check_file(file);
     const Texels texels = holds_png(file) ? read_png(file) : decoder.read(file);
     const auto make = [&](const auto& rgba) {
         return texture_of(file.filename().string(), texels.width, texels.height, rgba);
     };
-    return std::visit(make, texels.rgba);
+    return {std::visit(make, texels.rgba), texels.largest};
 }
 
-void load(scene::Map& map, std::string_view statement, Cache& cache, DecoderProcess& decoder) {
-    if (map.texture || map.from_scene > 0) return;
-    TextureRef& texture = cache[key_of(map.file)];
-    try {
-        if (!texture) texture = read_texture(map.file, decoder);
-    } catch (const Error& error) {
-        throw Error(map.origin.file, map.origin.line,
-                    std::string(statement) + " " + map.file.string() + ": " + error.what());
+class Loader {
+public:
+    void load(scene::Map& map, std::string_view statement) {
+        if (map.texture || map.from_scene > 0) return;
+        const auto [found, is_new] = cache_.try_emplace(key_of(map.file));
+        const std::string what = std::string(statement) + " " + map.file.string() + ": ";
+        try {
+            if (is_new) found->second = read_texture(map.file, decoder_);
+        } catch (const Error& error) {
+            throw Error(map.origin.file, map.origin.line, what + error.what());
+        }
+        map.texture = found->second.texture;
+        if (is_new && found->second.largest > 1)
+            warnings.push_back(at_line(map.origin.file, map.origin.line,
+                                       what + largest_text(found->second.largest)));
     }
-    map.texture = texture;
-}
+    std::vector<std::string> warnings;
+
+private:
+    static std::string largest_text(float largest) {
+        return "has values to " + scene::number_text(double(largest)) +
+               "; expected 0 to 1, to which they are clamped";
+    }
+    Cache cache_;
+    DecoderProcess decoder_;
+};
 
 }  // namespace
 
 TextureRef read_texture(const std::filesystem::path& file) {
     DecoderProcess decoder;
-    return read_texture(file, decoder);
+    return read_texture(file, decoder).texture;
 }
 
-void load_textures(scene::Scene& scene) {
-    Cache cache;
-    DecoderProcess decoder;
+std::vector<std::string> load_textures(scene::Scene& scene) {
+    Loader loader;
     for (scene::Material& material : scene.materials) {
         const std::pair<std::string_view, std::vector<scene::Map>*> lists[] = {
             {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd},
             {"map_Ks", &material.map_Ks}, {"map_Ke", &material.map_Ke},
             {"refl", &material.refl},     {"refraction", &material.refraction},
         };
-        for (const auto& [statement, maps] : lists) {
-            for (scene::Map& map : *maps) load(map, statement, cache, decoder);
-        }
+        for (const auto& [statement, maps] : lists)
+            for (scene::Map& map : *maps) {
+                end_if_canceled();
+                loader.load(map, statement);
+            }
     }
+    return std::move(loader.warnings);
 }
 
 }  // namespace gw::image

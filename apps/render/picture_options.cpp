@@ -189,13 +189,15 @@ SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& s
         throw UsageError("--eye and --at are the same point; expected two");
     }
     scene::SceneFile file = scene::read_scene(options.scene);
-    if (!options.quiet) {
-        for (const std::string& warning : file.warnings) print_warning(warning);
-    }
+    const auto warn = [&](const std::vector<std::string>& lines) {
+        if (options.quiet) return;
+        for (const std::string& line : lines) print_warning(line);
+    };
+    warn(file.warnings);
     scene::Scene& scene = file.scene;
     std::optional<multipass::PassList> passes;
     if (!file.passes.empty()) passes = multipass::read_passes(file.passes);
-    image::load_textures(scene);
+    warn(image::load_textures(scene));
     for (const std::filesystem::path& read : file.files) session.inputs.add(read);
     add_textures(session.inputs, scene);
     scene::add_defaults(scene, options.size.width, options.size.height);

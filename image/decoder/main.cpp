@@ -64,6 +64,7 @@ bool send_texels(const Texels& texels) {
         const DecoderReply reply{.kind = std::uint32_t(8 * sizeof values[0]),
                                  .width = texels.width,
                                  .height = texels.height,
+                                 .largest = texels.largest,
                                  .bytes = values.size() * sizeof values[0]};
         return send(&reply, sizeof reply) && send(values.data(), reply.bytes);
     };

@@ -85,6 +85,15 @@ std::uint16_t word_from(float value) {
     return static_cast<std::uint16_t>(static_cast<double>(clamped) * 65535 + 0.5);
 }
 
+/// At least 1; of the channels that are no alpha.
+float largest_color(const std::vector<float>& values, int channels) {
+    const std::size_t each = std::size_t(channels), colors = channels < 3 ? 1 : 3;
+    float largest = 1;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i % each < colors && values[i] > largest) largest = values[i];
+    return largest;
+}
+
 /// OpenImageIO divides by the largest value of a PGM or PPM file without looking at it.
 void check_largest_value(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -121,7 +130,8 @@ Texels read_texels(const std::filesystem::path& file) {
     const auto floats = read_rows<float>(*input, OIIO::TypeDesc::FLOAT, channels);
     std::vector<std::uint16_t> values(floats.size());
     std::transform(floats.begin(), floats.end(), values.begin(), word_from);
-    return {spec.width, spec.height, spread_to_rgba<std::uint16_t>(values, channels, 65535)};
+    return {spec.width, spec.height, spread_to_rgba<std::uint16_t>(values, channels, 65535),
+            largest_color(floats, channels)};
 }
 
 }  // namespace gw::image

@@ -170,6 +170,18 @@ TEST(LoadTextures, ReadsEachFileOnceForAllMaps) {
     EXPECT_EQ(scene.materials[0].map_Kd[0].texture, scene.materials[1].refl[0].texture);
 }
 
+TEST(LoadTextures, WarnsOnceOfAFileWithValuesAbove1) {
+    const Folder folder;
+    write_raw<float>(folder / "sky.exr", 2, 1, 3, {0.5f, 12.5f, 0, 1, 1, 1});
+    write_raw<float>(folder / "plain.exr", 1, 1, 4, {1, 1, 1, 1});
+    scene::Scene scene = scene_with_map(folder / "sky.exr");
+    scene.materials[0].refl = scene.materials[0].map_Kd;
+    scene.materials.push_back(scene_with_map(folder / "plain.exr").materials[0]);
+    EXPECT_EQ(load_textures(scene),
+              std::vector{"stone.mtl:12: map_Kd " + (folder / "sky.exr").string() +
+                          ": has values to 12.5; expected 0 to 1, to which they are clamped"});
+}
+
 TEST(LoadTextures, KeepsWhatIsLoaded) {
     scene::Scene scene = scene_with_map("nowhere.png");
     scene.materials[0].map_Kd[0].texture = std::make_shared<Texture>();
