@@ -5,6 +5,7 @@
 #include "python/binding/arrays.h"
 #include "python/binding/fields.h"
 #include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/module.h"
 #include "scene/draw/fit.h"
 #include "scene/scene_builder.h"
@@ -18,17 +19,17 @@ namespace {
 using scene::Scene;
 
 Scene open_scene(const std::filesystem::path& file) {
-    scene::SceneFile read = without_lock([&] {
+    scene::SceneFile read = cancelable([&] {
         scene::SceneFile loaded = scene::read_scene(file);
-        image::load_textures(loaded.scene);
+        for (std::string& warning : image::load_textures(loaded.scene))
+            loaded.warnings.push_back(std::move(warning));
         return loaded;
     });
     if (read.origin != dvec3(0))
         read.warnings.push_back(fmt::format(
             "{}: lies far from 0; coordinates are counted from ({:.17g}, {:.17g}, {:.17g})",
             file.string(), read.origin.x, read.origin.y, read.origin.z));
-    for (const std::string& warning : read.warnings)
-        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) throw py::error_already_set();
+    warn(read.warnings);
     return std::move(read.scene);
 }
 

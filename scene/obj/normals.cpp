@@ -1,5 +1,6 @@
 #include "scene/obj/normals.h"
 
+#include "gw/base/cancel.h"
 #include "gw/base/elementary.h"
 #include "gw/stages/vertex.h"
 #include "scene/geometry/weld.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr std::size_t most_compared = 1024;
 
 bool is_zero(const dvec3& v) { return v == dvec3(0); }
+
+constexpr std::size_t points_between_looks = 4096;
 
 // Twice the area times the normal of the polygon's mean plane, concave ones included (Newell's sum
 // about its first corner).
@@ -48,9 +51,11 @@ public:
         if (!find_corners()) return;
         find_faces();
         meet();
-        for (std::size_t i = 0; i + 1 < begin_.size(); ++i)
+        for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+            if (i % points_between_looks == 0) end_if_canceled();
             if (begin_[i] < begin_[i + 1])
                 smooth(std::span(meetings_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
+        }
     }
 
 private:

@@ -1,5 +1,6 @@
 #include "scene/obj/obj_data.h"
 
+#include "gw/base/cancel.h"
 #include "gw/error.h"
 
 #include <algorithm>
@@ -167,6 +168,7 @@ std::vector<MeshData> make_meshes(const ObjData& obj) {
     const PartOrder order = order_by_part(obj);
     Vertices vertices;
     for (std::size_t p = 0; p < obj.parts.size(); ++p) {
+        end_if_canceled();
         MeshData& mesh = meshes[p];
         mesh.primitive = obj.parts[p].primitive;
         vertices.begin(obj.parts[p].corners);

@@ -1,5 +1,6 @@
 #include "scene/text/statements.h"
 
+#include "gw/base/cancel.h"
 #include "gw/error.h"
 
 #include <cstring>
@@ -25,6 +26,8 @@ std::string lower(std::string_view text) {
 }
 
 namespace {
+
+constexpr int lines_between_looks = 4096;
 
 std::string_view physical_line(const char*& at, const char* end) {
     const auto* newline = static_cast<const char*>(std::memchr(at, '\n', std::size_t(end - at)));
@@ -53,6 +56,7 @@ std::string_view Statements::logical_line() {
 
 bool Statements::next() {
     while (at_ < end_) {
+        if (next_line_ % lines_between_looks == 0) end_if_canceled();
         rest_ = logical_line();
         keyword_ = take_word(rest_);
         rest_ = trim(rest_);

@@ -12,7 +12,8 @@ public:
     /// `text` must outlive the object; `file` is its name in errors.
     Statements(std::string file, std::string_view text);
 
-    /// Goes to the next statement; false at the end.
+    /// Goes to the next statement; false at the end. Throws Canceled now and then, if it was asked
+    /// to end.
     bool next();
 
     std::string_view keyword() const { return keyword_; }
