@@ -65,6 +65,13 @@ constexpr std::string_view keywords[] = {
     "unsigned",  "using",     "virtual",  "void",     "volatile",  "wchar_t",   "while",
     "xor",       "xor_eq"};
 
+/// Of the headers that the listing includes, each between blanks.
+constexpr std::string_view macros =
+    " alloca assert assert_perror be16toh be32toh be64toh errno htobe16 htobe32 htobe64 htole16 htole32 "
+    "htole64 issubnormal le16toh le32toh le64toh math_errhandling offsetof pthread_cleanup_pop "
+    "pthread_cleanup_pop_restore_np pthread_cleanup_push pthread_cleanup_push_defer_np "
+    "sched_priority stderr stdin stdout ";
+
 /// The functions of the project's own algorithms; `algorithms` makes the table of all.
 bool is_taken(const std::string& name) {
     std::vector<std::string> taken = hs::algorithm_names();
@@ -90,6 +97,8 @@ void check_algorithm_name(const std::string& name) {
                          "such as my_own, of at most 40 characters");
     if (std::find(std::begin(keywords), std::end(keywords), name) != std::end(keywords))
         throw UsageError("NAME is '" + name + "', a word of C++; expected another name");
+    if (macros.find(" " + name + " ") != macros.npos)
+        throw UsageError("NAME is '" + name + "', a macro of C's headers; expected another name");
     if (is_taken(name))
         throw UsageError("NAME is '" + name +
                          "', which the project has already; expected another name");
