@@ -5,6 +5,7 @@
 #include "image/decoder_process.h"
 #include "image/png.h"
 #include "scene/text/number.h"
+#include "scene/text/text_file.h"
 
 #include <map>
 
@@ -17,7 +18,7 @@ void check_file(const std::filesystem::path& file) {
     };
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) refuse("no such file");
+    if (!scene::file_exists(file)) refuse("no such file");
     if (std::filesystem::is_directory(status)) refuse("it is a folder");
     if (!std::filesystem::is_regular_file(status)) refuse("it is not a regular file");
 }

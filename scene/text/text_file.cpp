@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The system takes a name to end there.
+bool has_nul(const fs::path& path) { return path.native().find('\0') != std::string::npos; }
+
 // The entry of `folder` whose name differs at most by case. The first in byte order, since folders
 // have none.
 fs::path entry_without_case(const fs::path& folder, const std::string& name) {
@@ -69,14 +72,14 @@ std::string contents(std::FILE* in, const fs::path& path, std::size_t expected) 
 
 bool file_exists(const fs::path& path) {
     std::error_code ignored;
-    return fs::exists(path, ignored);
+    return !has_nul(path) && fs::exists(path, ignored);
 }
 
 // A device has no end, and a pipe may have no writer: a scene must not be able to name them.
 std::string file_fault(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (status.type() == fs::file_type::not_found) return std::string(not_there);
+    if (has_nul(path) || status.type() == fs::file_type::not_found) return std::string(not_there);
     if (fs::is_directory(status)) return "is a directory";
     if (fs::exists(status) && !fs::is_regular_file(status)) return "is a device or a pipe";
     if (::access(path.c_str(), R_OK) == 0) return {};

@@ -82,4 +82,12 @@ TEST(FindFile, FallsBackToTheLastPart) {
     EXPECT_EQ(find_file(folder.path(), "no\\such.png"), folder.path() / "no/such.png");
 }
 
+TEST(FindFile, TakesNoNameForItsBeginBeforeANul) {
+    Folder folder;
+    folder.write("a.obj", "");
+    const std::string name("a.obj\0b", 7);
+    EXPECT_FALSE(existing_file(folder.path(), name));
+    EXPECT_EQ(file_fault(folder.path() / name), "does not exist");
+}
+
 }  // namespace gw::scene
