@@ -23,7 +23,7 @@ radiosity::SolverOptions solver_options(const Json& options) {
             .row_memory = std::size_t{256} << 20};
 }
 
-/// The place in the cross of a pixel of a face: the top in the middle, each side with its upper row
+/// The place of a face's pixel in the cross. The top is in the middle, each side has its upper row
 /// at the top's border.
 ivec2 in_cross(std::size_t face, int x, int y, int size) {
     const int half = size / 2;

@@ -1,6 +1,6 @@
-// What the C++ library of Debian's Emscripten lacks of C++20: bit_cast, algorithms over ranges, and
-// numbers of floating point as text. Included before every file. Has only the overloads that the
-// layers call; does nothing for a library that has them.
+// Parts of C++20 that the library of Debian's Emscripten lacks: bit_cast, algorithms over ranges,
+// and numbers of floating point as text. Included before every file. Has only the overloads that
+// the layers call; does nothing for a library that has them.
 #pragma once
 
 #include <algorithm>

@@ -61,7 +61,7 @@ struct RayScene::Walk {
         if (ray.hit && !ray.light) name(json, ray.hit->triangle);
         rays.push_back(json);
     }
-    /// Of a ray that meets nothing: the light, or far away.
+    /// The end of a ray that meets nothing: the light, or far away.
     dvec3 end_of(const raytrace::FollowedRay& ray) const {
         const bool has_end =
             ray.light && of.scene_.lights[*ray.light].kind != scene::LightKind::Directional;

@@ -1,6 +1,6 @@
-// A scene for rays [K4, L9], without superposed effects, as `gw compare` draws it: the passes of
-// eq. 5 with their item buffer, the ordinary ray tracer, and the path of one ray. Keeps what does not
-// depend on the eye. Does not shade or trace: itembuffer/ and raytrace/ do.
+// A scene for rays [K4, L9], without superposed effects, as `gw compare` draws it. It draws the
+// passes of eq. 5 with their item buffer and the ordinary ray tracer, and follows one ray. Keeps
+// what does not depend on the eye. Does not shade or trace: itembuffer/ and raytrace/ do.
 #pragma once
 
 #include "itembuffer/render.h"
@@ -29,10 +29,10 @@ public:
     Json by_rays(const scene::View& view);
     /// The identifiers of the view, bottom row first. Overwrites the machine's planes.
     const std::vector<std::uint32_t>& identify(const scene::View& view);
-    /// 1: the pixel's polygon reflects or transmits. Of the view of identify().
+    /// For identify()'s view. 1: the pixel's polygon reflects or transmits.
     std::vector<std::uint8_t> traced();
-    /// The rays of a pixel (row 0 at the top) of the view of identify(): from the item buffer, or
-    /// as an ordinary ray tracer sends them.
+    /// The rays of a pixel (row 0 at the top) of identify()'s view: from the item buffer, or as an
+    /// ordinary ray tracer sends them.
     Json path(int x, int y, bool ordinary);
 
     const scene::Scene& scene() const { return scene_; }

@@ -1,5 +1,5 @@
-// Runs while the browser still reads the page, before its large script: the machine begins in its
-// worker meanwhile. vite.lab.config.ts puts it behind the engine with vectors and the scenes.
+// Starts the machine in its worker while the browser still reads the page. vite.lab.config.ts puts
+// it behind the engine with vectors and the scenes.
 import { hasVectors } from './data';
 import { beginWorker } from './begin_worker';
 
