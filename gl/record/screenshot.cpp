@@ -1,11 +1,9 @@
 #include "gl/record/screenshot.h"
 
 #include "gl/drawable/drawable.h"
+#include "gl/record/whole_file.h"
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 #include <utility>
 
 namespace gw::gl {
@@ -33,13 +31,10 @@ void Screenshot::end_frame(Drawable& drawable) {
     if (!range_.holds(drawable.frame())) return;
     const std::string picture = ppm_of(drawable.planes(), drawable.profile().color_bits);
     if (failed_) return;
-    const std::string part = file_ + ".part";
-    std::ofstream out(part, std::ios::binary);
-    out.write(picture.data(), std::streamsize(picture.size()));
-    out.close();
-    if (out && std::rename(part.c_str(), file_.c_str()) == 0) return;
-    failed_ = true;
-    std::fprintf(stderr, "gw: %s: cannot be written: %s\n", file_.c_str(), std::strerror(errno));
+    const std::string fault = write_whole_file(file_, picture);
+    failed_ = !fault.empty();
+    if (failed_)
+        std::fprintf(stderr, "gw: %s: cannot be written: %s\n", file_.c_str(), fault.c_str());
 }
 
 }  // namespace gw::gl
