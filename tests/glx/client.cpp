@@ -67,6 +67,18 @@ GLXContext Glx::make_current(bool double_buffered, int width, int height) {
     return context;
 }
 
+Pixmap Glx::make_pixmap(int width, int height) const {
+    return XCreatePixmap(display, DefaultRootWindow(display), unsigned(width), unsigned(height),
+                         unsigned(DefaultDepth(display, DefaultScreen(display))));
+}
+
+void Glx::fill(Drawable drawable, unsigned long pixel, int width, int height) const {
+    const GC gc = XCreateGC(display, drawable, 0, nullptr);
+    XSetForeground(display, gc, pixel);
+    XFillRectangle(display, drawable, gc, 0, 0, unsigned(width), unsigned(height));
+    XFreeGC(display, gc);
+}
+
 Shown Glx::shown(Drawable drawable, int width, int height) const {
     Shown out{width, height, {}};
     XImage* const image =

@@ -35,6 +35,9 @@ protected:
     /// A context that is current on a new window.
     GLXContext make_current(bool double_buffered, int width = 64, int height = 48);
 
+    Pixmap make_pixmap(int width, int height) const;
+    /// Fills it as a client of X does, without OpenGL.
+    void fill(Drawable drawable, unsigned long pixel, int width, int height) const;
     Shown shown(Drawable drawable, int width, int height) const;
     /// The pixel of a colour whose channels are 0 or 1.
     unsigned long pixel(bool r, bool g, bool b) const;

@@ -108,6 +108,38 @@ TEST_F(EglX11, DrawsToAPixmap) {
     EXPECT_EQ(eglGetError(), EGL_BAD_NATIVE_PIXMAP);
 }
 
+TEST_F(EglX11, APixmapThatWasLeftIsNotWrittenAgain) {
+    const Pixmap pixmap = make_pixmap(16, 8);
+    const EGLSurface surface = eglCreatePixmapSurface(egl, egl_config, pixmap, nullptr);
+    const EGLContext context = eglCreateContext(egl, egl_config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(egl, surface, surface, context));
+    clear_to(0, 1, 1);
+    EXPECT_TRUE(eglMakeCurrent(egl, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
+    EXPECT_TRUE(shown(pixmap, 16, 8).is_all(pixel(false, true, true)));
+    fill(pixmap, pixel(true, false, false), 16, 8);
+    EXPECT_TRUE(eglDestroyContext(egl, context));
+    EXPECT_TRUE(eglDestroySurface(egl, surface));
+    EXPECT_TRUE(shown(pixmap, 16, 8).is_all(pixel(true, false, false)));
+}
+
+TEST_F(EglX11, APixmapFreedWhileCurrentRaisesNoError) {
+    const Pixmap pixmap = make_pixmap(16, 8);
+    const EGLSurface surface = eglCreatePixmapSurface(egl, egl_config, pixmap, nullptr);
+    const EGLContext context = eglCreateContext(egl, egl_config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(egl, surface, surface, context));
+    clear_to(0, 1, 1);
+    glFinish();
+    EXPECT_EQ(errors_of([&] {
+                  eglDestroySurface(egl, surface);
+                  XFreePixmap(display, pixmap);
+                  clear_to(1, 0, 0);
+                  glFinish();
+                  eglMakeCurrent(egl, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+                  eglDestroyContext(egl, context);
+              }),
+              std::vector<int>());
+}
+
 TEST_F(EglX11, CopyBuffersFillsAPixmap) {
     const EGLSurface surface = draw_to_window();
     const int depth = DefaultDepth(display, DefaultScreen(display));

@@ -41,6 +41,41 @@ TEST_F(GlxOffscreen, APixmapHasThePicture) {
     glXDestroyContext(display, context);
 }
 
+TEST_F(GlxOffscreen, APixmapThatWasLeftIsNotWrittenAgain) {
+    const GLXFBConfig with = config(false);
+    const Pixmap pixmap = make_pixmap(30, 20);
+    const GLXContext context = glXCreateNewContext(display, with, GLX_RGBA_TYPE, nullptr, True);
+    const GLXPixmap name = glXCreatePixmap(display, with, pixmap, nullptr);
+    ASSERT_TRUE(glXMakeCurrent(display, name, context));
+    clear_to(1, 1, 0);
+    glXMakeCurrent(display, 0, nullptr);
+    EXPECT_TRUE(shown(pixmap, 30, 20).is_all(pixel(true, true, false)));
+    fill(pixmap, pixel(false, false, true), 30, 20);
+    glXDestroyContext(display, context);
+    EXPECT_TRUE(shown(pixmap, 30, 20).is_all(pixel(false, false, true)));
+    glXDestroyPixmap(display, name);
+    EXPECT_TRUE(shown(pixmap, 30, 20).is_all(pixel(false, false, true)));
+}
+
+TEST_F(GlxOffscreen, APixmapFreedWhileCurrentRaisesNoError) {
+    const GLXFBConfig with = config(false);
+    const Pixmap pixmap = make_pixmap(30, 20);
+    const GLXContext context = glXCreateNewContext(display, with, GLX_RGBA_TYPE, nullptr, True);
+    const GLXPixmap name = glXCreatePixmap(display, with, pixmap, nullptr);
+    ASSERT_TRUE(glXMakeCurrent(display, name, context));
+    clear_to(1, 1, 0);
+    glFinish();
+    EXPECT_EQ(errors_of([&] {
+                  glXDestroyPixmap(display, name);
+                  XFreePixmap(display, pixmap);
+                  clear_to(1, 0, 0);
+                  glFinish();
+                  glXMakeCurrent(display, 0, nullptr);
+                  glXDestroyContext(display, context);
+              }),
+              std::vector<int>());
+}
+
 TEST_F(GlxOffscreen, AWindowIsNoPixmap) {
     const GLXFBConfig with = config(true);
     window = make_window(with);
