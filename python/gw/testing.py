@@ -101,13 +101,20 @@ def expect_planes_equal(actual: Any, expected: Any, plane: str = "plane") -> Non
     a, b = np.asarray(actual), np.asarray(expected)
     if a.shape != b.shape:
         pytest.fail(f"{plane}: shape {a.shape}, expected {b.shape}", pytrace=False)
-    off = np.abs(a.astype(np.int64) - b.astype(np.int64))
-    per_pixel = off.sum(axis=2) if off.ndim == 3 else off
-    if not per_pixel.any():
+    if a.ndim not in (2, 3) or a.dtype.kind not in "biuf" or b.dtype.kind not in "biuf":
+        raise TypeError(f"{plane}: shape {a.shape} of {a.dtype} and {b.dtype}; expected numbers of "
+                        "shape (height, width) or (height, width, channels)")
+    differs = (a != b) & ~((a != a) & (b != b))  # not a number equals itself
+    if not differs.any():
         return
+    off = np.where(differs, np.abs(a.astype(np.float64) - b.astype(np.float64)), 0)
+    off = np.where(np.isnan(off), np.inf, off)
+    per_pixel, count = off, int(differs.sum())
+    if off.ndim == 3:
+        per_pixel, count = off.sum(axis=2), int(differs.any(axis=2).sum())
     y, x = np.unravel_index(int(per_pixel.argmax()), per_pixel.shape)
     pytest.fail(
-        f"{plane}: {np.count_nonzero(per_pixel)} pixels differ; the worst, {x} {y}: "
+        f"{plane}: {count} pixels differ; the worst, {x} {y}: "
         f"expected {b[y, x].tolist()}, got {a[y, x].tolist()}",
         pytrace=False,
     )

@@ -17,10 +17,16 @@ import tempfile
 import warnings
 
 import gw
+import gw.conformance
+import gw.testing
 import numpy as np
+import pytest
 
 SCENES = pathlib.Path(__file__).parents[2] / "scenes"
-RIGHT = (gw.Error, TypeError, ValueError, IndexError, KeyError, AttributeError, OverflowError,
+# Beside those of the package itself.
+MODULES = {"hidden": (gw.hidden, gw.hidden.__all__), "conformance": (gw.conformance, ["run"]),
+           "testing": (gw.testing, ["expect_planes_equal", "expect_passes_equal"])}
+RIGHT = (gw.Error, pytest.fail.Exception, TypeError, ValueError, IndexError, KeyError, AttributeError, OverflowError,
          MemoryError, OSError,
          StopIteration, ZeroDivisionError, UnicodeError, KeyboardInterrupt, RecursionError)
 SECONDS = 2  # after which a call is interrupted, as by Ctrl-C
@@ -180,15 +186,16 @@ def targets():
                                                             "__eq__", "__repr__", "__str__",
                                                             "__copy__"):
                     yield name, member
-    for name in gw.hidden.__all__:
-        yield "hidden", name
+    for module, (_, names) in MODULES.items():
+        for name in names:
+            yield module, name
 
 
 def call(draw, pool, folder, target):
     owner, name = target
     value = lambda kind: wild(draw) if draw.random() < 0.15 else fitting(draw, kind, pool, folder)
-    if owner == "hidden" or owner is None:
-        function, this = getattr(gw.hidden if owner else gw, name), []
+    if owner in MODULES or owner is None:
+        function, this = getattr(MODULES[owner][0] if owner else gw, name), []
         if getattr(function, "__members__", None):
             return function(wild(draw))
         fields = getattr(function, "_fields", None)

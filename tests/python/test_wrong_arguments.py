@@ -13,7 +13,8 @@ BOX = gw.make_box()
 
 @pytest.mark.parametrize("first", [1000, 1040])
 def test_no_argument_crashes_the_interpreter(first):
-    done = subprocess.run([sys.executable, FUZZ, str(first), "12"], capture_output=True, text=True)
+    done = subprocess.run([sys.executable, FUZZ, str(first), "12"], capture_output=True, text=True,
+                          timeout=240)  # a call that nothing interrupts
     assert done.returncode == 0, done.stdout[-300:] + done.stderr[-3000:]
 
 
@@ -88,3 +89,24 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
 def test_wrong_values_are_named_with_their_limits(wrong, message):
     with pytest.raises((ValueError, TypeError), match=message):
         wrong()
+
+
+@pytest.mark.parametrize("actual, expected, worst", [
+    ([[0.25, 0.5]], [[0.25, 0.75]], "1 pixels differ; the worst, 1 0: expected 0.75, got 0.5"),
+    ([[np.nan, 1.0]], [[1.0, np.nan]], "2 pixels differ; the worst, 0 0: expected 1.0, got nan"),
+    (np.zeros((2, 2, 4), np.uint8), np.full((2, 2, 4), 3, np.uint8),
+     r"4 pixels differ; the worst, 0 0: expected \[3, 3, 3, 3\], got \[0, 0, 0, 0\]"),
+])
+def test_planes_of_any_numbers_are_compared_to_the_bit(actual, expected, worst):
+    from gw.testing import expect_planes_equal
+    expect_planes_equal(actual, actual)
+    expect_planes_equal(expected, np.array(expected))
+    with pytest.raises(pytest.fail.Exception, match=worst):
+        expect_planes_equal(actual, expected)
+
+
+def test_what_is_no_plane_is_refused():
+    from gw.testing import expect_planes_equal
+    for wrong in (3, [1, 2], [["a"]], [[1j]], [[None]]):
+        with pytest.raises(TypeError, match="expected numbers of shape"):
+            expect_planes_equal(wrong, wrong)
