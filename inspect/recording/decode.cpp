@@ -151,6 +151,7 @@ private:
     Command command(const gwt::SwapBuffers&) { return SwapBuffers{}; }
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
+    Recording heading();
     CommandList list(const gwt::CommandList& stored);
     CallTable calls(const gwt::CommandList& stored) {
         if (!stored.calls()) return {};
@@ -211,6 +212,9 @@ TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::
                                            : static_cast<std::uint16_t>(257 * texels8[next]));
         texture.levels.push_back(std::move(level));
     }
+    if (next < values)
+        throw Error(
+            fmt::format("{} values of {} levels; expected {}", values, t.level_count(), next));
     return make_texture(std::move(texture));
 }
 
@@ -221,6 +225,10 @@ TextureRef Decoder::texture(const gwt::Texture& t) {
         throw Error("both texels8 and texels16; expected one of them");
     charge((texels8.size() + texels16.size()) * 4);  // its levels, and the machine's
     if (t.level_count() != 0) return given_texture(t, texels8, texels16);
+    if (t.format() != gwt::TextureFormat::RGBA || t.dimensions() != 2 || t.border())
+        throw Error(
+            "a format, one dimension or a border without given levels; expected level_count 1 "
+            "or more");
     for (const int side : {t.width(), t.height()})
         if (side < 1 || (side & (side - 1)) != 0)
             throw Error(
@@ -316,10 +324,8 @@ CommandList Decoder::list(const gwt::CommandList& stored) {
     return result;
 }
 
-Part Decoder::decode() {
-    if (file_.version() < 1 || file_.version() > newest_version)
-        throw Error(fmt::format("a recording of version {}; expected version 1 to {}",
-                                file_.version(), newest_version));
+/// All that a machine begins with.
+Recording Decoder::heading() {
     if (!file_.profile()) throw Error("a recording without a profile");
     Recording r{.producer = text(file_.producer()),
                 .scene = text(file_.scene()),
@@ -328,14 +334,21 @@ Part Decoder::decode() {
                 .width = file_.width(),
                 .height = file_.height()};
     r.profile.name = text(file_.profile()->name());
-    Part part{.window = text(file_.window()), .event = our_enum<WindowEvent>(file_.event())};
-    if (part.window.empty() || part.event == WindowEvent::Open) {
-        validate(r.profile);
-        check_window(r.width, r.height);
-    }
+    validate(r.profile);
+    check_window(r.width, r.height);
     r.sets = all(file_.sets(), "parameter set", [this](const gwt::ParameterSet& s) {
         return ParameterSet{text(s.pass()), text(s.set())};
     });
+    return r;
+}
+
+Part Decoder::decode() {
+    if (file_.version() < 1 || file_.version() > newest_version)
+        throw Error(fmt::format("a recording of version {}; expected version 1 to {}",
+                                file_.version(), newest_version));
+    Part part{.window = text(file_.window()), .event = our_enum<WindowEvent>(file_.event())};
+    Recording r;
+    if (part.window.empty() || part.event == WindowEvent::Open) r = heading();
     append(values_.meshes,
            all(file_.meshes(), "mesh", [this](const gwt::Mesh& m) { return mesh(m); }));
     append(values_.textures,

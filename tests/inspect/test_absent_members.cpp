@@ -1,39 +1,12 @@
-// docs/recordings.md, "What absent members mean": a file with as few members as can be. Written field
-// by field, by their places in the schema, as a foreign writer might.
+// docs/recordings.md, "What absent members mean": a file with as few members as can be.
 #include "gw/error.h"
 #include "inspect/recording/recording.h"
+#include "tests/inspect/foreign_writer.h"
 
-#include <flatbuffers/flatbuffers.h>
 #include <gtest/gtest.h>
-
-#include <functional>
 
 namespace gw::inspect {
 namespace {
-
-using flatbuffers::FlatBufferBuilder;
-using flatbuffers::Offset;
-using flatbuffers::Vector;
-using Table = flatbuffers::Offset<void>;
-
-flatbuffers::voffset_t place(int field) {
-    return flatbuffers::FieldIndexToOffset(flatbuffers::voffset_t(field));
-}
-
-Table table(
-    FlatBufferBuilder& out, const std::function<void()>& fields = [] {}) {
-    const auto start = out.StartTable();
-    fields();
-    return Table(out.EndTable(start));
-}
-
-Table profile(FlatBufferBuilder& out) {
-    return table(out, [&] {
-        int field = 1;
-        for (const int bits : {8, 24, 8, 16, 3, 8, 8})
-            out.AddElement<std::int32_t>(place(field++), bits, 0);
-    });
-}
 
 /// Which of a list's members are there.
 struct Present {
