@@ -92,6 +92,15 @@ TEST(Manual, RulesOfAPageAreNumberedFromOne) {
         EXPECT_EQ(*numbers.rbegin(), int(numbers.size())) << "chapter " << chapter;
 }
 
+TEST(Manual, TheTableOfChaptersHasEverySection) {
+    const std::string table = text_of(fs::path(GW_SOURCE_DIR) / "docs/manual.md");
+    for (const auto& entry : fs::directory_iterator(fs::path(GW_SOURCE_DIR) / "docs/manual"))
+        for (const std::string& section : all_matches(text_of(entry.path()), R"(\n## ([^\n]+))"))
+            EXPECT_NE(table.find("[" + section + "](manual/" + entry.path().filename().string()),
+                      table.npos)
+                << entry.path().filename() << ": " << section;
+}
+
 TEST(Manual, PagesNameRulesThatExist) {
     const auto rules = declared();
     for (const fs::path& page : pages())
