@@ -193,8 +193,8 @@ endfunction()
 
 # gw_test(FOLDER SUFFIX [COMPUTES] [LABEL label] [TIMEOUT seconds] [LINK library...])
 # All *.cpp below tests/FOLDER/SUFFIX become bin/test_FOLDER_SUFFIX, every TEST of it a test of
-# ctest. SUFFIX may be "": all but long/. COMPUTES: the tests themselves take long to run, not only
-# what they call.
+# ctest. SUFFIX may be "": all but long/ and folders with a CMakeLists.txt of their own. COMPUTES:
+# the tests themselves take long to run, not only what they call.
 function(gw_test folder suffix)
     cmake_parse_arguments(PARSE_ARGV 2 arg "COMPUTES" "LABEL;TIMEOUT" "LINK")
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS
@@ -202,6 +202,11 @@ function(gw_test folder suffix)
     list(TRANSFORM sources REPLACE "//" "/")
     if(NOT suffix)
         list(FILTER sources EXCLUDE REGEX "/${folder}/long/")
+        file(GLOB others CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*/CMakeLists.txt)
+        list(TRANSFORM others REPLACE "CMakeLists.txt$" "")
+        foreach(other IN LISTS others)
+            list(FILTER sources EXCLUDE REGEX "^${other}")
+        endforeach()
     endif()
     if(NOT sources)
         return()

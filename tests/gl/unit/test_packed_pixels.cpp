@@ -1,0 +1,168 @@
+// Pixels packed into one number: EXT_packed_pixels, OpenGL 1.2's reversed types, EXT_packed_depth_stencil.
+#include "tests/gl/unit/support/window.h"
+
+namespace gw::gl {
+namespace {
+
+using Color = std::array<GLubyte, 4>;
+
+template <class Number>
+Color drawn(GLenum format, GLenum type, Number number) {
+    const Window window;
+    use_pixel_coordinates(window);
+    glRasterPos2i(0, 0);
+    glDrawPixels(1, 1, format, type, &number);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << type;
+    return window.pixels()[0];
+}
+
+template <class Number>
+Number read_back(GLenum format, GLenum type, const Color& color) {
+    const Window window;
+    use_pixel_coordinates(window);
+    glRasterPos2i(0, 0);
+    glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, color.data());
+    std::array<Number, 2> memory{};
+    glReadPixels(0, 0, 1, 1, format, type, memory.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << type;
+    EXPECT_EQ(memory[1], 0) << type;
+    return memory[0];
+}
+
+}  // namespace
+
+/// [GL12] 3.6.4: the first component is in the highest bits, or reversed in the lowest.
+TEST(GlPackedPixels, ComponentsHaveTheirBits) {
+    const Color rgb{255, 0, 85, 255};  // 85: 1 of 3
+    EXPECT_EQ(drawn<GLubyte>(GL_RGB, GL_UNSIGNED_BYTE_3_3_2, 0b111'000'01), rgb);
+    EXPECT_EQ(drawn<GLubyte>(GL_RGB, GL_UNSIGNED_BYTE_2_3_3_REV, 0b01'000'111), rgb);
+    const Color half{132, 0, 255, 255};  // 132: 16 of 31
+    EXPECT_EQ(drawn<GLushort>(GL_RGB, GL_UNSIGNED_SHORT_5_6_5, 16 << 11 | 31), half);
+    EXPECT_EQ(drawn<GLushort>(GL_RGB, GL_UNSIGNED_SHORT_5_6_5_REV, 31 << 11 | 16), half);
+    const Color rgba{0x11, 0x22, 0x33, 0x44};
+    EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, 0x1234), rgba);
+    EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4_REV, 0x4321), rgba);
+    EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8, 0x11223344), rgba);
+    EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, 0x44332211), rgba);
+    EXPECT_EQ(drawn<GLuint>(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, 0x44112233), rgba);
+    const Color blue{0, 0, 255, 255};
+    EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 31 << 1 | 1), blue);
+    EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_1_5_5_5_REV, 1 << 15 | 31 << 10), blue);
+    EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_10_10_10_2, 1023u << 2 | 3), blue);
+    EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_2_10_10_10_REV, 3u << 30 | 1023 << 20), blue);
+}
+
+TEST(GlPackedPixels, ReadPixelsRoundsToNearest) {
+    const Color color{255, 129, 0, 170};
+    EXPECT_EQ(read_back<GLubyte>(GL_RGB, GL_UNSIGNED_BYTE_3_3_2, color), 0b111'100'00);
+    EXPECT_EQ(read_back<GLushort>(GL_RGB, GL_UNSIGNED_SHORT_5_6_5, color), 31 << 11 | 32 << 5);
+    EXPECT_EQ(read_back<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, color), 0xF80A);
+    EXPECT_EQ(read_back<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8, color), 0xFF8100AAu);
+    EXPECT_EQ(read_back<GLuint>(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, color), 0xAAFF8100u);
+}
+
+TEST(GlPackedPixels, SwappedBytesAreThoseOfTheNumber) {
+    const Window window;
+    use_pixel_coordinates(window);
+    glRasterPos2i(0, 0);
+    glPixelStorei(GL_UNPACK_SWAP_BYTES, 1);
+    const std::array<GLushort, 2> numbers{0x3412, 0x7856};
+    glDrawPixels(2, 1, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, numbers.data());
+    EXPECT_EQ(window.pixels()[0], (Color{0x11, 0x22, 0x33, 0x44}));
+    EXPECT_EQ(window.pixels()[1], (Color{0x55, 0x66, 0x77, 0x88}));
+}
+
+TEST(GlPackedPixels, TexturesTakeThem) {
+    const Window window;
+    const std::array<GLuint, 4> texels{0x44332211, 0x88776655, 0xCCBBAA99, 0x00FFEEDD};
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                 texels.data());
+    std::array<GLuint, 4> got{};
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, got.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(got, texels);
+}
+
+/// [GL12] table 3.8.
+TEST(GlPackedPixels, FormatsMustHaveTheComponents) {
+    const Window window;
+    const GLuint number = 0;
+    for (const auto& [format, type] :
+         std::vector<std::pair<GLenum, GLenum>>{{GL_RGBA, GL_UNSIGNED_BYTE_3_3_2},
+                                                {GL_BGR, GL_UNSIGNED_SHORT_5_6_5},
+                                                {GL_RGB, GL_UNSIGNED_INT_8_8_8_8},
+                                                {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT_8_8_8_8}}) {
+        glDrawPixels(1, 1, format, type, &number);
+        EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION)) << format << ' ' << type;
+    }
+    glColorPointer(4, GL_UNSIGNED_INT_8_8_8_8, 0, &number);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_ENUM));
+}
+
+/// EXT_packed_depth_stencil: pairs are written through the masks, without tests, and copied so.
+TEST(GlPackedPixels, DepthsAndStencilsAreWrittenTogether) {
+    const Window window;
+    use_pixel_coordinates(window);
+    using Pairs = std::array<GLuint, 4>;
+    const Pairs pairs{0x00000001, 0x40000080, 0x7FFFFF7F, 0xFFFFFFFF};
+    const auto read = [](int x, int y) {
+        Pairs out{};
+        glReadPixels(x, y, 2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, out.data());
+        return out;
+    };
+    // Every test would fail.
+    for (const GLenum test : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_ALPHA_TEST}) glEnable(test);
+    glDepthFunc(GL_NEVER);
+    glStencilFunc(GL_NEVER, 0, 255);
+    glStencilOp(GL_INCR, GL_INCR, GL_INCR);
+    glAlphaFunc(GL_NEVER, 0);
+    const auto before = window.pixels();
+    glRasterPos2i(3, 4);
+    glDrawPixels(2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pairs.data());
+    EXPECT_EQ(read(3, 4), pairs);
+    EXPECT_EQ(window.pixels(), before);
+    glRasterPos2i(10, 11);
+    glCopyPixels(3, 4, 2, 2, GL_DEPTH_STENCIL);
+    EXPECT_EQ(read(10, 11), pairs);
+    GLint func = 0;
+    glGetIntegerv(GL_DEPTH_FUNC, &func);
+    EXPECT_EQ(func, GL_NEVER);
+
+    // Masks, transfer and zoom apply.
+    glStencilMask(0x0F);
+    glDepthMask(GL_FALSE);
+    const Pairs ones{~0u, ~0u, ~0u, ~0u};
+    glDrawPixels(2, 2, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, ones.data());
+    EXPECT_EQ(read(10, 11), (Pairs{0x0000000F, 0x4000008F, 0x7FFFFF7F, 0xFFFFFFFF}));
+    glStencilMask(~0u);
+    glDepthMask(GL_TRUE);
+    glPixelTransferf(GL_DEPTH_BIAS, 1);
+    glPixelTransferi(GL_INDEX_OFFSET, 2);
+    glPixelZoom(2, 2);
+    glRasterPos2i(20, 20);
+    glDrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, pairs.data());
+    glPixelTransferf(GL_DEPTH_BIAS, 0);
+    glPixelTransferi(GL_INDEX_OFFSET, 0);
+    EXPECT_EQ(read(20, 20), (Pairs{0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03}));
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+TEST(GlPackedPixels, DepthsAndStencilsAreNoTexels) {
+    const Window window;
+    GLuint memory[16]{};
+    const auto error = [] { return glGetError(); };
+    glDrawPixels(1, 1, GL_DEPTH_STENCIL, GL_UNSIGNED_INT, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_INT_24_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                 memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT_8_8_8_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, memory);
+    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+}
+
+}  // namespace gw::gl
