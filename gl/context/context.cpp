@@ -1,11 +1,19 @@
 #include "gl/context/context.h"
 
+#include "gl/context/current.h"
+
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <stdexcept>
 
 namespace gw::gl {
+
+constinit thread_local Context* current = nullptr;
+
+void keep_call(Function function, const void* source) {
+    if (current != nullptr) current->calls.now = {current->calls.next++, function, source, nullptr};
+}
 
 Context::Context(const Profile& of, std::shared_ptr<Shared> with)
     : profile(of), shared(with ? std::move(with) : std::make_shared<Shared>()) {

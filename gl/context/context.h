@@ -6,7 +6,6 @@
 #include "gl/assemble/mesh.h"
 #include "gl/drawable/call_trace.h"
 #include "gl/drawable/drawable.h"
-#include "gl/state/attribute_stack.h"
 #include "gl/state/client.h"
 #include "gl/state/evaluators.h"
 #include "gl/state/list_names.h"
@@ -17,8 +16,10 @@
 #include "gw/command_list.h"
 #include "gw/profile.h"
 
+#include <array>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace gw::gl {
 
@@ -33,6 +34,16 @@ struct Shared {
     ListNames lists;
     TextureNames textures;
 };
+
+/// An entry of the attribute stack: the groups of the state that PushAttrib copies. [GL11] 6.1.10
+struct SavedAttributes {
+    GLbitfield mask = 0;
+    State state;                ///< its groups of `mask` count
+    std::vector<bool> enables;  ///< GL_ENABLE_BIT: in the order of capabilities()
+    /// GL_TEXTURE_BIT: the parameters of the bound textures
+    std::array<TextureParameters, texture_target_count> textures{};
+};
+inline constexpr std::size_t attribute_stack_depth = 16;
 
 /// The machine's state and lights that follow from GL's, kept until a group changes.
 struct TranslatedState {

@@ -5,9 +5,11 @@
 #include "gw/profile_text.h"
 #include "gw/shown.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 
 namespace gw::gl {
@@ -39,6 +41,13 @@ void read_machine(Settings& out, std::string_view value) {
     out.reference = value == "reference";
 }
 
+std::optional<std::uint64_t> frame_number(std::string_view digits) {
+    std::uint64_t number = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (error != std::errc() || end != digits.data() + digits.size()) return {};
+    return number;
+}
+
 Settings read_settings() {
     Settings out;
     if (const char* const value = std::getenv("GW_PROFILE")) read_profile(out, value);
@@ -52,6 +61,18 @@ Settings read_settings() {
 const Settings& settings() {
     static const Settings& read = leaked_static(read_settings());
     return read;
+}
+
+FrameRange read_frame_range() {
+    const char* const value = std::getenv("GW_FRAMES");
+    if (value == nullptr) return {};
+    const std::string_view text = value;
+    const std::size_t dash = std::min(text.find('-'), text.size());
+    const auto first = frame_number(text.substr(0, dash));
+    const auto last = dash < text.size() ? frame_number(text.substr(dash + 1)) : first;
+    if (first && last && *first <= *last) return {*first, *last};
+    report_ignored("GW_FRAMES", text, "expected A-B, such as 10-12");
+    return {};
 }
 
 void report_ignored(std::string_view variable, std::string_view value, std::string_view expected) {

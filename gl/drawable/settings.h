@@ -1,9 +1,11 @@
-// The user's environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE. docs/opengl.md
+// The user's environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE, GW_FRAMES. docs/opengl.md
 #pragma once
 
 #include "gw/machine.h"
 #include "gw/profile.h"
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -17,6 +19,15 @@ struct Settings {
 
 /// Read once. A variable whose value is wrong is ignored, and one line on stderr says so.
 const Settings& settings();
+
+/// The frames of each window that are recorded, counted and shown.
+struct FrameRange {
+    std::uint64_t first = 0, last = std::numeric_limits<std::uint64_t>::max();
+    bool holds(std::uint64_t frame) const { return first <= frame && frame <= last; }
+};
+
+/// GW_FRAMES: "10-12" or "12"; all if it is not set. A wrong value is reported and ignored.
+FrameRange read_frame_range();
 
 /// "gw: GW_THREADS is 'many'; expected 0 to 256; it is ignored", on stderr.
 void report_ignored(std::string_view variable, std::string_view value, std::string_view expected);

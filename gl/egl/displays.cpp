@@ -2,7 +2,7 @@
 
 #include "gl/egl/failure.h"
 #include "gl/record/recorder.h"
-#include "gl/x11/close_hook.h"
+#include "gl/x11/extension.h"
 #include "gl/x11/quiet_errors.h"
 
 #include <cstdlib>

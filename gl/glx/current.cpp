@@ -1,7 +1,7 @@
 #include "gl/glx/current.h"
 
 #include "gl/context/thread_binding.h"
-#include "gl/x11/new_name.h"
+#include "gl/x11/extension.h"
 
 #include <atomic>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 #include "gl/glx/displays.h"
 
 #include "gl/record/recorder.h"
-#include "gl/x11/close_hook.h"
+#include "gl/x11/extension.h"
 #include "gl/x11/quiet_errors.h"
 
 #include <map>

@@ -3,7 +3,7 @@
 
 #include "gl/context/c_boundary.h"
 #include "gl/glx/current.h"
-#include "gl/x11/new_name.h"
+#include "gl/x11/extension.h"
 
 #include <X11/Xmd.h>
 // The numbers of the requests.

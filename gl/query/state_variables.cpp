@@ -1,5 +1,5 @@
 // Every state variable that the functions Get.. answer, in one table. [GL11] tables 6.5 to 6.22
-#include "gl/query/state_variables.h"
+#include "gl/query/values.h"
 
 #include "gl/attributes/attributes.h"
 #include "gl/context/context.h"

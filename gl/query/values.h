@@ -1,4 +1,5 @@
-// The values of a query and their conversion to the type that the caller asks for. [GL11] 6.1.2
+// The values of a query, every state variable by its name, and their conversion to the type that the
+// caller asks for. [GL11] 6.1.2
 #pragma once
 
 #include "gw/base/types.h"
@@ -9,9 +10,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 
 namespace gw::gl {
+
+struct Context;
 
 /// Up to 16 values.
 struct QueryValues {
@@ -56,6 +60,9 @@ inline QueryValues numbers_of(const dmat4& m) {
     for (int i = 0; i < 16; ++i) out.add(m[i / 4][i % 4]);
     return out;
 }
+
+/// The values of a state variable; none: there is no such variable.
+std::optional<QueryValues> state_variable(Context& c, GLenum pname);
 
 /// A value as an integer. [GL11] table 4.7 and 6.1.2
 inline double integer_value(QueryValues::Kind kind, double v) {

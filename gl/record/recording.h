@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gl/drawable/frame_log.h"
+#include "gl/drawable/settings.h"
 #include "gl/record/call_table.h"
-#include "gl/record/frame_range.h"
 #include "gw/profile.h"
 #include "inspect/recording/stream.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/drawable/frame_log.h"
-#include "gl/record/frame_range.h"
+#include "gl/drawable/settings.h"
 
 #include <string>
 

@@ -39,7 +39,17 @@ struct ClientState {
 };
 
 /// The array of this name, GL_VERTEX_ARRAY and so on; null: there is none.
-ClientArray* find_array(ClientState& client, GLenum name);
+inline ClientArray* find_array(ClientState& client, GLenum name) {
+    switch (name) {
+        case GL_EDGE_FLAG_ARRAY: return &client.array(Array::EdgeFlag);
+        case GL_TEXTURE_COORD_ARRAY: return &client.array(Array::TexCoord);
+        case GL_COLOR_ARRAY: return &client.array(Array::Color);
+        case GL_INDEX_ARRAY: return &client.array(Array::Index);
+        case GL_NORMAL_ARRAY: return &client.array(Array::Normal);
+        case GL_VERTEX_ARRAY: return &client.array(Array::Vertex);
+    }
+    return nullptr;
+}
 
 inline constexpr std::size_t client_stack_depth = 16;
 struct SavedClientState {
