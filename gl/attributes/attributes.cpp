@@ -44,11 +44,11 @@ void restore_enables(State& s, const SavedAttributes& saved) {
 }
 
 /// PopAttrib binds the textures again that were bound, as far as they still exist.
-void restore_textures(Context& c, const SavedAttributes& saved) {
+void restore_textures(Context& context, const SavedAttributes& saved) {
     for (std::size_t target = 0; target < texture_target_count; ++target) {
         const GLenum name = GL_TEXTURE_1D + GLenum(target);
-        execute::bind_texture(c, name, saved.state.texture.bound[target]);
-        c.textures.bound[target]->parameters = saved.textures[target];
+        execute::bind_texture(context, name, saved.state.texture.bound[target]);
+        context.textures.bound[target]->parameters = saved.textures[target];
     }
 }
 
@@ -82,41 +82,44 @@ void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
 
 namespace execute {
 
-void push_attrib(Context& c, GLbitfield mask) {
-    if (c.attribute_stack.size() >= attribute_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
-    track_color(c);
-    SavedAttributes& saved = c.attribute_stack.emplace_back();
+void push_attrib(Context& context, GLbitfield mask) {
+    if (context.attribute_stack.size() >= attribute_stack_depth)
+        return set_error(context, GL_STACK_OVERFLOW);
+    track_color(context);
+    SavedAttributes& saved = context.attribute_stack.emplace_back();
     saved.mask = mask;
-    copy_groups(saved.state, c.state, mask);
-    if (mask & GL_ENABLE_BIT) save_enables(saved, c.state);
+    copy_groups(saved.state, context.state, mask);
+    if (mask & GL_ENABLE_BIT) save_enables(saved, context.state);
     if (mask & GL_TEXTURE_BIT)
         for (std::size_t i = 0; i < texture_target_count; ++i)
-            saved.textures[i] = c.textures.bound[i]->parameters;
+            saved.textures[i] = context.textures.bound[i]->parameters;
 }
 
-void pop_attrib(Context& c) {
-    if (c.attribute_stack.empty()) return set_error(c, GL_STACK_UNDERFLOW);
-    begin_change(c);
-    track_color(c);
-    const SavedAttributes saved = std::move(c.attribute_stack.back());
-    c.attribute_stack.pop_back();
-    if (saved.mask & GL_TEXTURE_BIT) restore_textures(c, saved);
-    copy_groups(c.state, saved.state, saved.mask);
-    if (saved.mask & GL_ENABLE_BIT) restore_enables(c.state, saved);
-    track_color(c);
+void pop_attrib(Context& context) {
+    if (context.attribute_stack.empty()) return set_error(context, GL_STACK_UNDERFLOW);
+    begin_change(context);
+    track_color(context);
+    const SavedAttributes saved = std::move(context.attribute_stack.back());
+    context.attribute_stack.pop_back();
+    if (saved.mask & GL_TEXTURE_BIT) restore_textures(context, saved);
+    copy_groups(context.state, saved.state, saved.mask);
+    if (saved.mask & GL_ENABLE_BIT) restore_enables(context.state, saved);
+    track_color(context);
 }
 
-void push_client_attrib(Context& c, GLbitfield mask) {
-    if (c.client_stack.size() >= client_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
-    SavedClientState& saved = c.client_stack.emplace_back();
+void push_client_attrib(Context& context, GLbitfield mask) {
+    if (context.client_stack.size() >= client_stack_depth)
+        return set_error(context, GL_STACK_OVERFLOW);
+    SavedClientState& saved = context.client_stack.emplace_back();
     saved.mask = mask & known_client_groups;
-    copy_client_groups(saved.state, c.client, saved.mask);
+    copy_client_groups(saved.state, context.client, saved.mask);
 }
 
-void pop_client_attrib(Context& c) {
-    if (c.client_stack.empty()) return set_error(c, GL_STACK_UNDERFLOW);
-    copy_client_groups(c.client, c.client_stack.back().state, c.client_stack.back().mask);
-    c.client_stack.pop_back();
+void pop_client_attrib(Context& context) {
+    if (context.client_stack.empty()) return set_error(context, GL_STACK_UNDERFLOW);
+    copy_client_groups(context.client, context.client_stack.back().state,
+                       context.client_stack.back().mask);
+    context.client_stack.pop_back();
 }
 
 }  // namespace execute

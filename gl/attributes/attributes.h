@@ -14,6 +14,6 @@ void copy_attributes(Context& to, const Context& from, GLbitfield mask);
 /// COLOR_MATERIAL: brings the material parameter that follows the current colour up to it. [GL11]
 /// 2.13.3. Called before materials are queried or saved, and before the parameter that follows
 /// changes; draws follow the colours of their vertices.
-void track_color(Context& c);
+void track_color(Context& context);
 
 }  // namespace gw::gl

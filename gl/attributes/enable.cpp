@@ -9,31 +9,32 @@ namespace gw::gl {
 
 namespace {
 
-void set_capability(Context& c, GLenum name, bool on) {
+void set_capability(Context& context, GLenum name, bool on) {
     const Capability* const capability = find_capability(name);
     // GL_EXT_vertex_array: arrays are enabled as other capabilities are.
-    if (ClientArray* const array = find_array(c.client, name)) {
+    if (ClientArray* const array = find_array(context.client, name)) {
         array->enable = on;
         return;
     }
-    if (capability == nullptr) return set_error(c, GL_INVALID_ENUM);
-    if (name == GL_COLOR_MATERIAL) track_color(c);
-    change(c, capability->field(c.state, capability->index), on);
-    if (name == GL_COLOR_MATERIAL) track_color(c);
+    if (capability == nullptr) return set_error(context, GL_INVALID_ENUM);
+    if (name == GL_COLOR_MATERIAL) track_color(context);
+    change(context, capability->field(context.state, capability->index), on);
+    if (name == GL_COLOR_MATERIAL) track_color(context);
 }
 
 }  // namespace
 
 namespace execute {
 
-void enable(Context& c, GLenum cap) { set_capability(c, cap, true); }
-void disable(Context& c, GLenum cap) { set_capability(c, cap, false); }
+void enable(Context& context, GLenum cap) { set_capability(context, cap, true); }
+void disable(Context& context, GLenum cap) { set_capability(context, cap, false); }
 
-GLboolean is_enabled(Context& c, GLenum cap) {
+GLboolean is_enabled(Context& context, GLenum cap) {
     const Capability* const capability = find_capability(cap);
-    if (capability != nullptr) return gl::is_enabled(c.state, *capability) ? GL_TRUE : GL_FALSE;
-    if (const ClientArray* array = find_array(c.client, cap)) return array->enable;
-    return set_error(c, GL_INVALID_ENUM), GL_FALSE;
+    if (capability != nullptr)
+        return gl::is_enabled(context.state, *capability) ? GL_TRUE : GL_FALSE;
+    if (const ClientArray* array = find_array(context.client, cap)) return array->enable;
+    return set_error(context, GL_INVALID_ENUM), GL_FALSE;
 }
 
 }  // namespace execute

@@ -15,23 +15,23 @@ namespace {
 
 /// One of the machine's words that the profile has.
 template <typename Enum>
-std::optional<Enum> known_word(const Context& c, GLenum number) {
+std::optional<Enum> known_word(const Context& context, GLenum number) {
     const auto word = from_opengl<Enum>(number);
-    return word && has_word(c.profile.extensions, *word) ? word : std::nullopt;
+    return word && has_word(context.profile.extensions, *word) ? word : std::nullopt;
 }
 
-bool is_compare_func(const Context& c, GLenum func) {
-    return known_word<CompareFunc>(c, func).has_value();
+bool is_compare_func(const Context& context, GLenum func) {
+    return known_word<CompareFunc>(context, func).has_value();
 }
-bool is_stencil_op(const Context& c, GLenum op) {
-    return known_word<gw::StencilOp>(c, op).has_value();
+bool is_stencil_op(const Context& context, GLenum op) {
+    return known_word<gw::StencilOp>(context, op).has_value();
 }
-bool is_source_factor(const Context& c, GLenum factor) {
-    const auto word = known_word<BlendFactor>(c, factor);
+bool is_source_factor(const Context& context, GLenum factor) {
+    const auto word = known_word<BlendFactor>(context, factor);
     return word && is_source(*word);
 }
-bool is_destination_factor(const Context& c, GLenum factor) {
-    const auto word = known_word<BlendFactor>(c, factor);
+bool is_destination_factor(const Context& context, GLenum factor) {
+    const auto word = known_word<BlendFactor>(context, factor);
     return word && is_destination(*word);
 }
 
@@ -44,100 +44,111 @@ vec4 clamped_value(const vec4& v, float low) {
 
 namespace execute {
 
-void fog(Context& c, GLenum pname, const Params& params) {
-    FogState& s = c.state.fog;
+void fog(Context& context, GLenum pname, const Params& params) {
+    FogState& s = context.state.fog;
     switch (pname) {
         case GL_FOG_MODE: {
             const GLenum mode = params.token();
-            if (!known_word<FogMode>(c, mode)) return set_error(c, GL_INVALID_ENUM);
-            return change(c, s.mode, mode);
+            if (!known_word<FogMode>(context, mode)) return set_error(context, GL_INVALID_ENUM);
+            return change(context, s.mode, mode);
         }
         case GL_FOG_DENSITY:
-            if (!(params[0] >= 0)) return set_error(c, GL_INVALID_VALUE);
-            return change(c, s.density, float(params[0]));
-        case GL_FOG_START: return change(c, s.start, float(params[0]));
-        case GL_FOG_END: return change(c, s.end, float(params[0]));
-        case GL_FOG_INDEX: return change(c, s.index, float(params[0]));
+            if (!(params[0] >= 0)) return set_error(context, GL_INVALID_VALUE);
+            return change(context, s.density, float(params[0]));
+        case GL_FOG_START: return change(context, s.start, float(params[0]));
+        case GL_FOG_END: return change(context, s.end, float(params[0]));
+        case GL_FOG_INDEX: return change(context, s.index, float(params[0]));
         case GL_FOG_COLOR:
-            if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-            return change(c, s.color, params.as_vec4());
+            if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
+            return change(context, s.color, params.as_vec4());
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
-void scissor(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    change(c, c.state.scissor.box, Rect{x, y, width, height});
+void scissor(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    change(context, context.state.scissor.box, Rect{x, y, width, height});
 }
 
-void alpha_func(Context& c, GLenum func, GLclampf ref) {
-    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.color_buffer.alpha_func, func);
-    change(c, c.state.color_buffer.alpha_ref, clamped(ref, 0.0f, 1.0f));
+void alpha_func(Context& context, GLenum func, GLclampf ref) {
+    if (!is_compare_func(context, func)) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.color_buffer.alpha_func, func);
+    change(context, context.state.color_buffer.alpha_ref, clamped(ref, 0.0f, 1.0f));
 }
 
-void stencil_func(Context& c, GLenum func, GLint ref, GLuint mask) {
-    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.stencil.func, func);
-    change(c, c.state.stencil.ref, std::clamp(ref, 0, (1 << c.profile.stencil_bits) - 1));
-    change(c, c.state.stencil.mask, mask);
+void stencil_func(Context& context, GLenum func, GLint ref, GLuint mask) {
+    if (!is_compare_func(context, func)) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.stencil.func, func);
+    change(context, context.state.stencil.ref,
+           std::clamp(ref, 0, (1 << context.profile.stencil_bits) - 1));
+    change(context, context.state.stencil.mask, mask);
 }
 
-void stencil_op(Context& c, GLenum fail, GLenum zfail, GLenum zpass) {
-    if (!is_stencil_op(c, fail) || !is_stencil_op(c, zfail) || !is_stencil_op(c, zpass))
-        return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.stencil.fail, fail);
-    change(c, c.state.stencil.zfail, zfail);
-    change(c, c.state.stencil.zpass, zpass);
+void stencil_op(Context& context, GLenum fail, GLenum zfail, GLenum zpass) {
+    if (!is_stencil_op(context, fail) || !is_stencil_op(context, zfail) ||
+        !is_stencil_op(context, zpass))
+        return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.stencil.fail, fail);
+    change(context, context.state.stencil.zfail, zfail);
+    change(context, context.state.stencil.zpass, zpass);
 }
 
-void depth_func(Context& c, GLenum func) {
-    if (!is_compare_func(c, func)) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.depth.func, func);
+void depth_func(Context& context, GLenum func) {
+    if (!is_compare_func(context, func)) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.depth.func, func);
 }
 
-void blend_func(Context& c, GLenum sfactor, GLenum dfactor) {
-    if (!is_source_factor(c, sfactor) || !is_destination_factor(c, dfactor))
-        return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.color_buffer.blend_src, sfactor);
-    change(c, c.state.color_buffer.blend_dst, dfactor);
+void blend_func(Context& context, GLenum sfactor, GLenum dfactor) {
+    if (!is_source_factor(context, sfactor) || !is_destination_factor(context, dfactor))
+        return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.color_buffer.blend_src, sfactor);
+    change(context, context.state.color_buffer.blend_dst, dfactor);
 }
 
-void blend_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
-    if (!c.profile.extensions.blend_color) return set_error(c, GL_INVALID_OPERATION);
-    change(c, c.state.color_buffer.blend_color, clamped_value({red, green, blue, alpha}, 0));
+void blend_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    if (!context.profile.extensions.blend_color) return set_error(context, GL_INVALID_OPERATION);
+    change(context, context.state.color_buffer.blend_color,
+           clamped_value({red, green, blue, alpha}, 0));
 }
 
-void blend_equation(Context& c, GLenum mode) {
-    if (!known_word<gw::BlendEquation>(c, mode)) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.color_buffer.blend_equation, mode);
+void blend_equation(Context& context, GLenum mode) {
+    if (!known_word<gw::BlendEquation>(context, mode)) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.color_buffer.blend_equation, mode);
 }
 
-void logic_op(Context& c, GLenum opcode) {
-    if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.color_buffer.logic_op_mode, opcode);
+void logic_op(Context& context, GLenum opcode) {
+    if (opcode < GL_CLEAR || opcode > GL_SET) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.color_buffer.logic_op_mode, opcode);
 }
 
-void index_mask(Context& c, GLuint mask) { c.state.color_buffer.index_mask = mask; }
+void index_mask(Context& context, GLuint mask) { context.state.color_buffer.index_mask = mask; }
 
-void color_mask(Context& c, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
+void color_mask(Context& context, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha) {
     const std::array mask{red != GL_FALSE, green != GL_FALSE, blue != GL_FALSE, alpha != GL_FALSE};
-    change(c, c.state.color_buffer.mask, mask);
+    change(context, context.state.color_buffer.mask, mask);
 }
 
-void depth_mask(Context& c, GLboolean flag) { change(c, c.state.depth.mask, flag != GL_FALSE); }
-void stencil_mask(Context& c, GLuint mask) { change(c, c.state.stencil.write_mask, mask); }
+void depth_mask(Context& context, GLboolean flag) {
+    change(context, context.state.depth.mask, flag != GL_FALSE);
+}
+void stencil_mask(Context& context, GLuint mask) {
+    change(context, context.state.stencil.write_mask, mask);
+}
 
-void clear_color(Context& c, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
-    c.state.color_buffer.clear = clamped_value({red, green, blue, alpha}, 0);
+void clear_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
+    context.state.color_buffer.clear = clamped_value({red, green, blue, alpha}, 0);
 }
-void clear_index(Context& c, GLfloat value) { c.state.color_buffer.clear_index = value; }
-void clear_depth(Context& c, GLclampd depth) { c.state.depth.clear = clamped(depth, 0.0, 1.0); }
-void clear_stencil(Context& c, GLint s) {
-    c.state.stencil.clear = s & ((1 << c.profile.stencil_bits) - 1);
+void clear_index(Context& context, GLfloat value) {
+    context.state.color_buffer.clear_index = value;
 }
-void clear_accum(Context& c, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
-    c.state.accum.clear = clamped_value({red, green, blue, alpha}, -1);
+void clear_depth(Context& context, GLclampd depth) {
+    context.state.depth.clear = clamped(depth, 0.0, 1.0);
+}
+void clear_stencil(Context& context, GLint s) {
+    context.state.stencil.clear = s & ((1 << context.profile.stencil_bits) - 1);
+}
+void clear_accum(Context& context, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
+    context.state.accum.clear = clamped_value({red, green, blue, alpha}, -1);
 }
 
 }  // namespace execute

@@ -25,10 +25,10 @@ bool is_auxiliary(GLenum mode) { return mode >= GL_AUX0 && mode <= GL_AUX3; }
 
 /// Whether the drawable has one of the buffers: there are no right ones, no auxiliary ones, and a
 /// back buffer only with two.
-bool names_a_buffer(const Context& c, GLenum mode) {
+bool names_a_buffer(const Context& context, GLenum mode) {
     if (is_auxiliary(mode) || mode == GL_RIGHT || mode == GL_FRONT_RIGHT || mode == GL_BACK_RIGHT)
         return false;
-    const bool is_double = c.drawable != nullptr && c.drawable->is_double_buffered();
+    const bool is_double = context.drawable != nullptr && context.drawable->is_double_buffered();
     return is_double || (mode != GL_BACK && mode != GL_BACK_LEFT);
 }
 
@@ -36,45 +36,46 @@ bool names_a_buffer(const Context& c, GLenum mode) {
 
 namespace execute {
 
-void clear(Context& c, GLbitfield mask) {
-    if (mask & ~all_buffers) return set_error(c, GL_INVALID_VALUE);
-    flush_mesh(c);
-    if (mask == 0 || c.selection.mode != GL_RENDER) return;
-    submit_command(c, gw::Clear{planes_of(mask), c.state.color_buffer.clear, c.state.depth.clear,
-                                c.state.stencil.clear, c.state.accum.clear});
+void clear(Context& context, GLbitfield mask) {
+    if (mask & ~all_buffers) return set_error(context, GL_INVALID_VALUE);
+    flush_mesh(context);
+    if (mask == 0 || context.selection.mode != GL_RENDER) return;
+    submit_command(context, gw::Clear{planes_of(mask), context.state.color_buffer.clear,
+                                      context.state.depth.clear, context.state.stencil.clear,
+                                      context.state.accum.clear});
 }
 
-void accum(Context& c, GLenum op, GLfloat value) {
-    if (op < GL_ACCUM || op > GL_ADD) return set_error(c, GL_INVALID_ENUM);
-    flush_mesh(c);
-    if (c.selection.mode != GL_RENDER) return;
+void accum(Context& context, GLenum op, GLfloat value) {
+    if (op < GL_ACCUM || op > GL_ADD) return set_error(context, GL_INVALID_ENUM);
+    flush_mesh(context);
+    if (context.selection.mode != GL_RENDER) return;
     constexpr std::array operations{AccumOp::Accum, AccumOp::Load, AccumOp::Return, AccumOp::Mult,
                                     AccumOp::Add};
-    submit_command(c, Accumulate{operations[op - GL_ACCUM], float(finite(double(value)))});
+    submit_command(context, Accumulate{operations[op - GL_ACCUM], float(finite(double(value)))});
 }
 
-void draw_buffer(Context& c, GLenum mode) {
+void draw_buffer(Context& context, GLenum mode) {
     const bool known = mode == GL_NONE || mode == GL_FRONT_AND_BACK || is_auxiliary(mode) ||
                        (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
-    if (!known) return set_error(c, GL_INVALID_ENUM);
-    if (!names_a_buffer(c, mode)) return set_error(c, GL_INVALID_OPERATION);
-    change(c, c.state.color_buffer.draw_buffer, mode);
+    if (!known) return set_error(context, GL_INVALID_ENUM);
+    if (!names_a_buffer(context, mode)) return set_error(context, GL_INVALID_OPERATION);
+    change(context, context.state.color_buffer.draw_buffer, mode);
 }
 
-void read_buffer(Context& c, GLenum mode) {
+void read_buffer(Context& context, GLenum mode) {
     const bool known = is_auxiliary(mode) || (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
-    if (!known) return set_error(c, GL_INVALID_ENUM);
-    if (!names_a_buffer(c, mode)) return set_error(c, GL_INVALID_OPERATION);
-    change(c, c.state.pixel.read_buffer, mode);
+    if (!known) return set_error(context, GL_INVALID_ENUM);
+    if (!names_a_buffer(context, mode)) return set_error(context, GL_INVALID_OPERATION);
+    change(context, context.state.pixel.read_buffer, mode);
 }
 
-void flush(Context& c) { finish_drawing(c); }
-void finish(Context& c) { finish_drawing(c); }
+void flush(Context& context) { finish_drawing(context); }
+void finish(Context& context) { finish_drawing(context); }
 
-void hint(Context& c, GLenum target, GLenum mode) {
+void hint(Context& context, GLenum target, GLenum mode) {
     if (mode != GL_FASTEST && mode != GL_NICEST && mode != GL_DONT_CARE)
-        return set_error(c, GL_INVALID_ENUM);
-    HintState& s = c.state.hint;
+        return set_error(context, GL_INVALID_ENUM);
+    HintState& s = context.state.hint;
     switch (target) {
         case GL_PERSPECTIVE_CORRECTION_HINT: s.perspective_correction = mode; return;
         case GL_POINT_SMOOTH_HINT: s.point_smooth = mode; return;
@@ -82,7 +83,7 @@ void hint(Context& c, GLenum target, GLenum mode) {
         case GL_POLYGON_SMOOTH_HINT: s.polygon_smooth = mode; return;
         case GL_FOG_HINT: s.fog = mode; return;
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
 }  // namespace execute

@@ -10,47 +10,48 @@ namespace gw::gl {
 
 namespace execute {
 
-void point_size(Context& c, GLfloat size) {
-    if (!(size > 0)) return set_error(c, GL_INVALID_VALUE);
-    change(c, c.state.point.size, size);
+void point_size(Context& context, GLfloat size) {
+    if (!(size > 0)) return set_error(context, GL_INVALID_VALUE);
+    change(context, context.state.point.size, size);
 }
 
-void line_width(Context& c, GLfloat width) {
-    if (!(width > 0)) return set_error(c, GL_INVALID_VALUE);
-    change(c, c.state.line.width, width);
+void line_width(Context& context, GLfloat width) {
+    if (!(width > 0)) return set_error(context, GL_INVALID_VALUE);
+    change(context, context.state.line.width, width);
 }
 
-void line_stipple(Context& c, GLint factor, GLushort pattern) {
-    change(c, c.state.line.stipple_factor, std::clamp(factor, 1, 256));
-    change(c, c.state.line.stipple_pattern, pattern);
+void line_stipple(Context& context, GLint factor, GLushort pattern) {
+    change(context, context.state.line.stipple_factor, std::clamp(factor, 1, 256));
+    change(context, context.state.line.stipple_pattern, pattern);
 }
 
-void cull_face(Context& c, GLenum mode) {
-    if (!is_face(mode)) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.polygon.cull_face, mode);
+void cull_face(Context& context, GLenum mode) {
+    if (!is_face(mode)) return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.polygon.cull_face, mode);
 }
 
-void polygon_stipple(Context& c, const Stipple& pattern) {
-    auto& field = c.state.polygon_stipple.pattern;
+void polygon_stipple(Context& context, const Stipple& pattern) {
+    auto& field = context.state.polygon_stipple.pattern;
     if (field && *field == pattern) return;
-    begin_change(c);
+    begin_change(context);
     field = std::make_shared<const Stipple>(pattern);
 }
 
-void polygon_mode(Context& c, GLenum face, GLenum mode) {
-    if (!is_face(face) || mode < GL_POINT || mode > GL_FILL) return set_error(c, GL_INVALID_ENUM);
-    if (face != GL_BACK) change(c, c.state.polygon.front_mode, mode);
-    if (face != GL_FRONT) change(c, c.state.polygon.back_mode, mode);
+void polygon_mode(Context& context, GLenum face, GLenum mode) {
+    if (!is_face(face) || mode < GL_POINT || mode > GL_FILL)
+        return set_error(context, GL_INVALID_ENUM);
+    if (face != GL_BACK) change(context, context.state.polygon.front_mode, mode);
+    if (face != GL_FRONT) change(context, context.state.polygon.back_mode, mode);
 }
 
-void polygon_offset(Context& c, GLfloat factor, GLfloat units) {
-    change(c, c.state.polygon.offset_factor, float(finite(double(factor))));
-    change(c, c.state.polygon.offset_units, float(finite(double(units))));
+void polygon_offset(Context& context, GLfloat factor, GLfloat units) {
+    change(context, context.state.polygon.offset_factor, float(finite(double(factor))));
+    change(context, context.state.polygon.offset_units, float(finite(double(units))));
 }
 
-void polygon_offset_ext(Context& c, GLfloat factor, GLfloat bias) {
-    const auto units = double((std::uint64_t{1} << c.profile.depth_bits) - 1);
-    polygon_offset(c, factor, float(finite(double(bias) * units)));
+void polygon_offset_ext(Context& context, GLfloat factor, GLfloat bias) {
+    const auto units = double((std::uint64_t{1} << context.profile.depth_bits) - 1);
+    polygon_offset(context, factor, float(finite(double(bias) * units)));
 }
 
 }  // namespace execute

@@ -17,13 +17,13 @@ namespace gw::gl {
 namespace {
 
 /// The matrix that the calls below change; what was assembled is drawn with the old one.
-dmat4& changing_matrix(Context& c) {
-    begin_change(c);
-    return c.matrices.current(c.state.transform.matrix_mode).top();
+dmat4& changing_matrix(Context& context) {
+    begin_change(context);
+    return context.matrices.current(context.state.transform.matrix_mode).top();
 }
 
-void multiply(Context& c, const dmat4& m) {
-    dmat4& top = changing_matrix(c);
+void multiply(Context& context, const dmat4& m) {
+    dmat4& top = changing_matrix(context);
     top = product(top, m);
 }
 
@@ -39,9 +39,9 @@ dmat4 rotation(double angle, const dvec3& axis) {
 }
 
 /// The row vector plane * inverse(matrix): a plane in eye space. [GL11] 2.10.4, 2.11
-dvec4 plane_in_eye(const Context& c, const Params& p) {
+dvec4 plane_in_eye(const Context& context, const Params& p) {
     const dvec4 plane(p[0], p[1], p[2], p[3]);
-    const dmat4 inverse = inverted(c.matrices.modelview.top());
+    const dmat4 inverse = inverted(context.matrices.modelview.top());
     dvec4 out;
     for (int i = 0; i < 4; ++i) out[i] = dot4(plane, inverse[i]);
     return finite(out);
@@ -55,70 +55,70 @@ bool is_eye_or_object_plane(GLenum pname) {
 
 namespace execute {
 
-void depth_range(Context& c, GLclampd near_value, GLclampd far_value) {
-    ViewportState& s = c.state.viewport;
-    change(c, s.near_value, clamped(near_value, 0.0, 1.0));
-    change(c, s.far_value, clamped(far_value, 0.0, 1.0));
+void depth_range(Context& context, GLclampd near_value, GLclampd far_value) {
+    ViewportState& s = context.state.viewport;
+    change(context, s.near_value, clamped(near_value, 0.0, 1.0));
+    change(context, s.far_value, clamped(far_value, 0.0, 1.0));
 }
 
-void viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    ViewportState& s = c.state.viewport;
-    change(c, s.x, std::clamp(x, -max_window_size, max_window_size));
-    change(c, s.y, std::clamp(y, -max_window_size, max_window_size));
-    change(c, s.width, std::min(width, max_window_size));
-    change(c, s.height, std::min(height, max_window_size));
+void viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    ViewportState& s = context.state.viewport;
+    change(context, s.x, std::clamp(x, -max_window_size, max_window_size));
+    change(context, s.y, std::clamp(y, -max_window_size, max_window_size));
+    change(context, s.width, std::min(width, max_window_size));
+    change(context, s.height, std::min(height, max_window_size));
 }
 
-void matrix_mode(Context& c, GLenum mode) {
+void matrix_mode(Context& context, GLenum mode) {
     if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
-        return set_error(c, GL_INVALID_ENUM);
-    c.state.transform.matrix_mode = mode;
+        return set_error(context, GL_INVALID_ENUM);
+    context.state.transform.matrix_mode = mode;
 }
 
-void load_matrix(Context& c, const dmat4& m) { changing_matrix(c) = m; }
-void mult_matrix(Context& c, const dmat4& m) { multiply(c, m); }
-void load_identity(Context& c) { changing_matrix(c) = dmat4(1); }
+void load_matrix(Context& context, const dmat4& m) { changing_matrix(context) = m; }
+void mult_matrix(Context& context, const dmat4& m) { multiply(context, m); }
+void load_identity(Context& context) { changing_matrix(context) = dmat4(1); }
 
-void rotate(Context& c, double angle, double x, double y, double z) {
+void rotate(Context& context, double angle, double x, double y, double z) {
     const dvec3 axis(x, y, z);
     const double size = length(axis);
     if (size == 0 || !std::isfinite(size)) return;
-    multiply(c, rotation(std::remainder(angle, 360.0), dvec3(x / size, y / size, z / size)));
+    multiply(context, rotation(std::remainder(angle, 360.0), dvec3(x / size, y / size, z / size)));
 }
 
-void translate(Context& c, double x, double y, double z) {
+void translate(Context& context, double x, double y, double z) {
     dmat4 m(1);
     m[3] = {x, y, z, 1};
-    multiply(c, m);
+    multiply(context, m);
 }
 
-void scale(Context& c, double x, double y, double z) {
+void scale(Context& context, double x, double y, double z) {
     dmat4 m(1);
     m[0][0] = x;
     m[1][1] = y;
     m[2][2] = z;
-    multiply(c, m);
+    multiply(context, m);
 }
 
-void frustum(Context& c, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top,
+void frustum(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top,
              GLdouble near_value, GLdouble far_value) {
     if (near_value <= 0 || far_value <= 0 || left == right || bottom == top ||
         near_value == far_value)
-        return set_error(c, GL_INVALID_VALUE);
+        return set_error(context, GL_INVALID_VALUE);
     const double width = right - left, height = top - bottom, depth = far_value - near_value;
     dmat4 m(0);
     m[0][0] = 2 * near_value / width;
     m[1][1] = 2 * near_value / height;
     m[2] = {(right + left) / width, (top + bottom) / height, -(far_value + near_value) / depth, -1};
     m[3][2] = -2 * far_value * near_value / depth;
-    multiply(c, m);
+    multiply(context, m);
 }
 
-void ortho(Context& c, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top,
+void ortho(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top,
            GLdouble near_value, GLdouble far_value) {
     if (left == right || bottom == top || near_value == far_value)
-        return set_error(c, GL_INVALID_VALUE);
+        return set_error(context, GL_INVALID_VALUE);
     const double width = right - left, height = top - bottom, depth = far_value - near_value;
     dmat4 m(1);
     m[0][0] = 2 / width;
@@ -126,40 +126,43 @@ void ortho(Context& c, GLdouble left, GLdouble right, GLdouble bottom, GLdouble 
     m[2][2] = -2 / depth;
     m[3] = {-(right + left) / width, -(top + bottom) / height, -(far_value + near_value) / depth,
             1};
-    multiply(c, m);
+    multiply(context, m);
 }
 
-void push_matrix(Context& c) {
-    MatrixStack& stack = c.matrices.current(c.state.transform.matrix_mode);
-    if (stack.entries.size() >= stack.depth) return set_error(c, GL_STACK_OVERFLOW);
+void push_matrix(Context& context) {
+    MatrixStack& stack = context.matrices.current(context.state.transform.matrix_mode);
+    if (stack.entries.size() >= stack.depth) return set_error(context, GL_STACK_OVERFLOW);
     stack.entries.push_back(dmat4(stack.top()));
 }
 
-void pop_matrix(Context& c) {
-    MatrixStack& stack = c.matrices.current(c.state.transform.matrix_mode);
-    if (stack.entries.size() == 1) return set_error(c, GL_STACK_UNDERFLOW);
-    if (stack.top() != stack.entries[stack.entries.size() - 2]) begin_change(c);
+void pop_matrix(Context& context) {
+    MatrixStack& stack = context.matrices.current(context.state.transform.matrix_mode);
+    if (stack.entries.size() == 1) return set_error(context, GL_STACK_UNDERFLOW);
+    if (stack.top() != stack.entries[stack.entries.size() - 2]) begin_change(context);
     stack.entries.pop_back();
 }
 
-void tex_gen(Context& c, GLenum coord, GLenum pname, const Params& params) {
-    if (coord < GL_S || coord > GL_Q) return set_error(c, GL_INVALID_ENUM);
-    TexGenState& s = c.state.texture.gen[coord - GL_S];
+void tex_gen(Context& context, GLenum coord, GLenum pname, const Params& params) {
+    if (coord < GL_S || coord > GL_Q) return set_error(context, GL_INVALID_ENUM);
+    TexGenState& s = context.state.texture.gen[coord - GL_S];
     if (is_eye_or_object_plane(pname)) {
-        if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-        if (pname == GL_EYE_PLANE) return change(c, s.eye_plane, plane_in_eye(c, params));
-        return change(c, s.object_plane, dvec4(params[0], params[1], params[2], params[3]));
+        if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
+        if (pname == GL_EYE_PLANE)
+            return change(context, s.eye_plane, plane_in_eye(context, params));
+        return change(context, s.object_plane, dvec4(params[0], params[1], params[2], params[3]));
     }
     const GLenum mode = params.token();
     const bool known = mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
                        (mode == GL_SPHERE_MAP && coord <= GL_T);
-    if (pname != GL_TEXTURE_GEN_MODE || !known) return set_error(c, GL_INVALID_ENUM);
-    change(c, s.mode, mode);
+    if (pname != GL_TEXTURE_GEN_MODE || !known) return set_error(context, GL_INVALID_ENUM);
+    change(context, s.mode, mode);
 }
 
-void clip_plane(Context& c, GLenum plane, const Params& equation) {
-    if (plane < GL_CLIP_PLANE0 || plane > GL_CLIP_PLANE5) return set_error(c, GL_INVALID_ENUM);
-    change(c, c.state.transform.clip_plane[plane - GL_CLIP_PLANE0], plane_in_eye(c, equation));
+void clip_plane(Context& context, GLenum plane, const Params& equation) {
+    if (plane < GL_CLIP_PLANE0 || plane > GL_CLIP_PLANE5)
+        return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.transform.clip_plane[plane - GL_CLIP_PLANE0],
+           plane_in_eye(context, equation));
 }
 
 }  // namespace execute

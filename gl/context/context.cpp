@@ -20,17 +20,17 @@ Context::Context(const Profile& of, std::shared_ptr<Shared> with)
     validate(profile);
 }
 
-void set_error(Context& c, GLenum error) {
-    if (c.error == GL_NO_ERROR) c.error = error;
+void set_error(Context& context, GLenum error) {
+    if (context.error == GL_NO_ERROR) context.error = error;
 }
 
-void report_exception(Context& c) {
+void report_exception(Context& context) {
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        set_error(c, GL_OUT_OF_MEMORY);
+        set_error(context, GL_OUT_OF_MEMORY);
     } catch (const std::length_error&) {
-        set_error(c, GL_OUT_OF_MEMORY);
+        set_error(context, GL_OUT_OF_MEMORY);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "gw: %s\n", error.what());
     }

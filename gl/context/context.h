@@ -79,18 +79,18 @@ struct Context {
 };
 
 /// Keeps the first error until GetError. [GL11] 2.5
-void set_error(Context& c, GLenum error);
+void set_error(Context& context, GLenum error);
 
 /// In a handler: a lack of memory becomes OUT_OF_MEMORY, any other exception one line on stderr.
-void report_exception(Context& c);
+void report_exception(Context& context);
 
 /// Carries out `call`; if it throws, report_exception() and a result of 0.
 template <class Call>
-auto guarded(Context& c, Call call) -> decltype(call()) {
+auto guarded(Context& context, Call call) -> decltype(call()) {
     try {
         return call();
     } catch (...) {
-        report_exception(c);
+        report_exception(context);
         return decltype(call())();
     }
 }

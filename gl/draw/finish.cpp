@@ -5,17 +5,17 @@
 
 namespace gw::gl {
 
-void finish_drawing(Context& c, Cause cause) {
-    flush_mesh(c);
-    if (c.drawable == nullptr) return;
-    if (c.drawable->finish(cause)) c.calls.next = 0;
-    c.meshes.begin_frame();
+void finish_drawing(Context& context, Cause cause) {
+    flush_mesh(context);
+    if (context.drawable == nullptr) return;
+    if (context.drawable->finish(cause)) context.calls.next = 0;
+    context.meshes.begin_frame();
 }
 
-void finish_frame(Context& c) {
-    flush_mesh(c);
-    c.meshes.begin_frame();
-    c.calls.next = 0;
+void finish_frame(Context& context) {
+    flush_mesh(context);
+    context.meshes.begin_frame();
+    context.calls.next = 0;
 }
 
 void make_current(Context* context, Drawable* draw, Drawable* read) {

@@ -6,9 +6,9 @@
 namespace gw::gl {
 
 /// Draws what was assembled and executes the drawable's commands.
-void finish_drawing(Context& c, Cause cause = Cause::Flush);
+void finish_drawing(Context& context, Cause cause = Cause::Flush);
 /// Draws what was assembled. The drawable's frame is to be swapped next.
-void finish_frame(Context& c);
+void finish_frame(Context& context);
 
 /// Binds a context and drawables to draw to and read from to the calling thread; all null: none.
 /// Draws what the thread's former context has left. The first time, viewport and scissor box get the

@@ -33,10 +33,10 @@ dmat4 with_room_for_rounding(dmat4 projection) {
     return projection;
 }
 
-void set_transform(gw::State& out, const Context& c) {
-    const State& s = c.state;
-    if (is_finite(c.matrices.projection.top()))
-        out.projection = with_room_for_rounding(c.matrices.projection.top());
+void set_transform(gw::State& out, const Context& context) {
+    const State& s = context.state;
+    if (is_finite(context.matrices.projection.top()))
+        out.projection = with_room_for_rounding(context.matrices.projection.top());
     out.normalize = s.transform.normalize;
     if (!is_empty(s.viewport))
         out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
@@ -95,25 +95,26 @@ CoordinateGen coordinate(const TexGenState& s) {
 }
 
 /// Feedback and the raster position have texture coordinates without a texture too.
-void set_texture_coordinates(gw::State& out, const Context& c) {
-    if (is_finite(c.matrices.texture.top())) out.texture.matrix = c.matrices.texture.top();
+void set_texture_coordinates(gw::State& out, const Context& context) {
+    if (is_finite(context.matrices.texture.top()))
+        out.texture.matrix = context.matrices.texture.top();
     bool generates = false;
     for (std::size_t i = 0; i < 4; ++i) {
-        const TexGenState& gen = c.state.texture.gen[i];
+        const TexGenState& gen = context.state.texture.gen[i];
         out.texture.coordinates[i] = coordinate(gen);
         generates |= gen.enable;
     }
     if (generates) out.texture.gen = TexGen::PerCoordinate;
 }
 
-void set_texture(gw::State& out, const Context& c) {
-    const TextureState& s = c.state.texture;
+void set_texture(gw::State& out, const Context& context) {
+    const TextureState& s = context.state.texture;
     if (!s.enable[0] && !s.enable[1]) return;
-    const TextureParameters& p = c.textures.bound[s.enable[1] ? 1 : 0]->parameters;
+    const TextureParameters& p = context.textures.bound[s.enable[1] ? 1 : 0]->parameters;
     out.texture.min_filter = word<MinFilter>(p.min_filter);
     out.texture.mag_filter = word<MagFilter>(p.mag_filter);
-    out.texture.wrap_s = wrap(p.wrap_s, c.profile);
-    out.texture.wrap_t = wrap(p.wrap_t, c.profile);
+    out.texture.wrap_s = wrap(p.wrap_s, context.profile);
+    out.texture.wrap_t = wrap(p.wrap_t, context.profile);
     out.texture.border_color = p.border_color;
     out.texture.env = word<gw::TexEnv>(s.env_mode);
     out.texture.env_color = s.env_color;
@@ -177,9 +178,10 @@ DrawBuffer draw_buffer(GLenum mode) {
     return DrawBuffer::Front;
 }
 
-void set_buffers(gw::State& out, const Context& c) {
-    const GLenum draw = c.state.color_buffer.draw_buffer, read = c.state.pixel.read_buffer;
-    if (c.drawable != nullptr && c.drawable->has_back_plane()) {
+void set_buffers(gw::State& out, const Context& context) {
+    const GLenum draw = context.state.color_buffer.draw_buffer,
+                 read = context.state.pixel.read_buffer;
+    if (context.drawable != nullptr && context.drawable->has_back_plane()) {
         out.draw_buffer = draw_buffer(draw);
         out.read_buffer =
             read == GL_BACK || read == GL_BACK_LEFT ? gw::ReadBuffer::Back : gw::ReadBuffer::Front;
@@ -190,17 +192,17 @@ void set_buffers(gw::State& out, const Context& c) {
 
 }  // namespace
 
-gw::State machine_state(const Context& c) {
+gw::State machine_state(const Context& context) {
     gw::State out;
-    set_transform(out, c);
-    set_lighting(out, c.state.lighting);
-    set_sizes(out, c.state, c.profile);
-    set_rasterization(out, c.state, c.profile.extensions);
-    set_texture_coordinates(out, c);
-    set_texture(out, c);
-    set_fog(out, c.state.fog);
-    set_fragments(out, c.state, c.profile.extensions);
-    set_buffers(out, c);
+    set_transform(out, context);
+    set_lighting(out, context.state.lighting);
+    set_sizes(out, context.state, context.profile);
+    set_rasterization(out, context.state, context.profile.extensions);
+    set_texture_coordinates(out, context);
+    set_texture(out, context);
+    set_fog(out, context.state.fog);
+    set_fragments(out, context.state, context.profile.extensions);
+    set_buffers(out, context);
     return out;
 }
 

@@ -12,7 +12,7 @@ namespace gw::gl {
 
 struct Context;
 
-gw::State machine_state(const Context& c);
+gw::State machine_state(const Context& context);
 
 /// Null if no light is enabled.
 LightsRef machine_lights(const LightingState& lighting);

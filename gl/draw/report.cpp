@@ -94,11 +94,11 @@ ViewportTransform sides_of_view_volume() {
 }
 
 struct Reporter {
-    Context& c;
+    Context& context;
     const Draw& draw;
-    const gw::State& state = c.translated.state;
-    VertexProgram program = vertex_program(state, draw, c.profile);
-    ViewportTransform viewport = resolve(state, c.profile, std::max(1, state.viewport.width),
+    const gw::State& state = context.translated.state;
+    VertexProgram program = vertex_program(state, draw, context.profile);
+    ViewportTransform viewport = resolve(state, context.profile, std::max(1, state.viewport.width),
                                          std::max(1, state.viewport.height))
                                      .viewport;
 
@@ -116,7 +116,7 @@ private:
 Reported Reporter::reported(const Vertex& v, bool front) const {
     const double w = v.clip.w, n = state.depth_range.near_value, f = state.depth_range.far_value;
     const auto& color = front || !state.lighting.two_side ? v.color : v.back_color;
-    const double largest = double((1u << c.profile.color_bits) - 1);
+    const double largest = double((1u << context.profile.color_bits) - 1);
     Reported out{(v.clip.x / w) * viewport.half_width + viewport.center_x,
                  (v.clip.y / w) * viewport.half_height + viewport.center_y,
                  (v.clip.z / w) * ((f - n) / 2) + (f + n) / 2, w};
@@ -138,29 +138,29 @@ bool Reporter::is_front(const std::vector<Vertex>& vertices) const {
 }
 
 void Reporter::report_point(const Reported& v) {
-    if (c.selection.mode == GL_SELECT) return report_depth(c, v.z);
-    put(c.selection, GL_POINT_TOKEN);
-    put(c.selection, v);
+    if (context.selection.mode == GL_SELECT) return report_depth(context, v.z);
+    put(context.selection, GL_POINT_TOKEN);
+    put(context.selection, v);
 }
 
 void Reporter::report_line(const Reported& a, const Reported& b, bool first) {
-    if (c.selection.mode == GL_SELECT) {
-        report_depth(c, a.z);
-        return report_depth(c, b.z);
+    if (context.selection.mode == GL_SELECT) {
+        report_depth(context, a.z);
+        return report_depth(context, b.z);
     }
-    put(c.selection, first ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
-    put(c.selection, a);
-    put(c.selection, b);
+    put(context.selection, first ? GL_LINE_RESET_TOKEN : GL_LINE_TOKEN);
+    put(context.selection, a);
+    put(context.selection, b);
 }
 
 void Reporter::report_polygon(const std::vector<Reported>& vertices) {
-    if (c.selection.mode == GL_SELECT) {
-        for (const Reported& v : vertices) report_depth(c, v.z);
+    if (context.selection.mode == GL_SELECT) {
+        for (const Reported& v : vertices) report_depth(context, v.z);
         return;
     }
-    put(c.selection, GL_POLYGON_TOKEN);
-    put(c.selection, double(vertices.size()));
-    for (const Reported& v : vertices) put(c.selection, v);
+    put(context.selection, GL_POLYGON_TOKEN);
+    put(context.selection, double(vertices.size()));
+    for (const Reported& v : vertices) put(context.selection, v);
 }
 
 /// PolygonMode Point and Line: the polygon's edges, each clipped on its own, as the machine draws them.
@@ -220,9 +220,9 @@ void begin_at_first_corner(Given& quad) {
 
 }  // namespace
 
-void report(Context& c, const Draw& submitted) {
+void report(Context& context, const Draw& submitted) {
     const Draw draw = with_texture_coordinates(submitted);
-    Reporter reporter{c, draw};
+    Reporter reporter{context, draw};
     const MeshData& data = draw.mesh->data();
     for_each_run(data, [&](std::size_t first, std::size_t count) {
         Given given;
@@ -238,16 +238,16 @@ void report(Context& c, const Draw& submitted) {
     });
 }
 
-void report_raster_position(Context& c, GLenum token) {
-    if (c.selection.mode != GL_FEEDBACK) return;
-    const CurrentState::Raster& raster = c.state.current.raster;
+void report_raster_position(Context& context, GLenum token) {
+    if (context.selection.mode != GL_FEEDBACK) return;
+    const CurrentState::Raster& raster = context.state.current.raster;
     const dvec4& p = raster.position;
-    put(c.selection, double(token));
-    put(c.selection, Reported{p.x, p.y, p.z, p.w, raster.color, raster.texcoord});
+    put(context.selection, double(token));
+    put(context.selection, Reported{p.x, p.y, p.z, p.w, raster.color, raster.texcoord});
 }
 
-void report_depth(Context& c, double depth) {
-    Selection& s = c.selection;
+void report_depth(Context& context, double depth) {
+    Selection& s = context.selection;
     if (s.mode != GL_SELECT) return;
     s.nearest = s.hit ? std::min(s.nearest, depth) : depth;
     s.farthest = s.hit ? std::max(s.farthest, depth) : depth;

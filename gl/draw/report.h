@@ -12,12 +12,12 @@ struct Context;
 
 /// Runs the vertex and clip stages on a draw's primitives and writes what selection or feedback
 /// asks for.
-void report(Context& c, const Draw& draw);
+void report(Context& context, const Draw& draw);
 
 /// In feedback mode, writes a token and the raster position.
-void report_raster_position(Context& c, GLenum token);
+void report_raster_position(Context& context, GLenum token);
 
 /// Counts a hit at a window depth of the raster position.
-void report_depth(Context& c, double depth);
+void report_depth(Context& context, double depth);
 
 }  // namespace gw::gl

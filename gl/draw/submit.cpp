@@ -18,57 +18,58 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
 }
 
 /// Whether a draw can have pixels: products of matrices may overflow.
-bool is_drawable(const Context& c) {
-    return !is_empty(c.state.viewport) && is_finite(c.matrices.modelview.top()) &&
-           is_finite(c.matrices.projection.top()) && is_finite(c.matrices.texture.top());
+bool is_drawable(const Context& context) {
+    return !is_empty(context.state.viewport) && is_finite(context.matrices.modelview.top()) &&
+           is_finite(context.matrices.projection.top()) &&
+           is_finite(context.matrices.texture.top());
 }
 
 }  // namespace
 
-void begin_change(Context& c) {
-    flush_mesh(c);
-    c.translated.changed = true;
+void begin_change(Context& context) {
+    flush_mesh(context);
+    context.translated.changed = true;
 }
 
-FaceMaterials face_materials(const Context& c) {
-    return {machine_material(c.state.lighting.material[0]),
-            machine_material(c.state.lighting.material[1])};
+FaceMaterials face_materials(const Context& context) {
+    return {machine_material(context.state.lighting.material[0]),
+            machine_material(context.state.lighting.material[1])};
 }
 
-void update_machine_state(Context& c) {
-    if (!c.translated.changed) return;
-    c.translated.state = machine_state(c);
-    c.translated.lights = machine_lights(c.state.lighting);
-    c.translated.changed = false;
+void update_machine_state(Context& context) {
+    if (!context.translated.changed) return;
+    context.translated.state = machine_state(context);
+    context.translated.lights = machine_lights(context.state.lighting);
+    context.translated.changed = false;
 }
 
-TextureRef enabled_texture(Context& c) {
-    const auto& enable = c.state.texture.enable;
+TextureRef enabled_texture(Context& context) {
+    const auto& enable = context.state.texture.enable;
     if (!enable[0] && !enable[1]) return nullptr;
     const std::size_t target = enable[1] ? 1 : 0;
-    TextureObject& object = *c.textures.bound[target];
+    TextureObject& object = *context.textures.bound[target];
     TextureRef texture;
     std::size_t new_bytes = 0;
     {
-        const auto lock = c.shared->exclusive();
-        texture = machine_texture(object, target, c.profile);
+        const auto lock = context.shared->exclusive();
+        texture = machine_texture(object, target, context.profile);
         if (texture) new_bytes = std::exchange(object.new_bytes, 0);
     }
-    if (new_bytes != 0 && c.drawable != nullptr) c.drawable->hold(new_bytes);
+    if (new_bytes != 0 && context.drawable != nullptr) context.drawable->hold(new_bytes);
     return texture;
 }
 
-Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
+Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
                const FaceMaterials& materials) {
     Draw draw;
     draw.mesh = std::move(mesh);
-    draw.eye_from_object = c.matrices.modelview.top();
+    draw.eye_from_object = context.matrices.modelview.top();
     draw.material = materials.front;
-    if (c.state.lighting.two_side)
+    if (context.state.lighting.two_side)
         draw.back_material = std::make_shared<const gw::Material>(materials.back);
     draw.current = shared_values({values.color, values.normal, values.texcoord});
-    draw.lights = c.translated.lights;
-    draw.map.texture = enabled_texture(c);
+    draw.lights = context.translated.lights;
+    draw.map.texture = enabled_texture(context);
     return draw;
 }
 
@@ -79,40 +80,40 @@ Draw with_texture_coordinates(Draw draw) {
     return draw;
 }
 
-std::vector<CallRun> present_call(const Context& c) {
+std::vector<CallRun> present_call(const Context& context) {
     if (!calls_are_kept) return {};
-    return {{.call = c.calls.now}};
+    return {{.call = context.calls.now}};
 }
 
-bool submit_state(Context& c, std::span<const CallRun> calls) {
-    if (c.drawable == nullptr) return false;
-    update_machine_state(c);
-    c.drawable->set_state(c.translated.state, calls);
+bool submit_state(Context& context, std::span<const CallRun> calls) {
+    if (context.drawable == nullptr) return false;
+    update_machine_state(context);
+    context.drawable->set_state(context.translated.state, calls);
     return true;
 }
 
-void submit_command(Context& c, Command command, std::vector<CallRun> calls) {
-    if (c.drawable == nullptr) return;
-    if (calls.empty()) calls = present_call(c);
-    const auto lock = c.drawable->exclusive();
-    submit_state(c, std::span(calls).first(std::min<std::size_t>(calls.size(), 1)));
-    c.drawable->add(std::move(command), calls);
+void submit_command(Context& context, Command command, std::vector<CallRun> calls) {
+    if (context.drawable == nullptr) return;
+    if (calls.empty()) calls = present_call(context);
+    const auto lock = context.drawable->exclusive();
+    submit_state(context, std::span(calls).first(std::min<std::size_t>(calls.size(), 1)));
+    context.drawable->add(std::move(command), calls);
 }
 
-void submit(Context& c, Draw draw, std::vector<CallRun> calls) {
-    if (c.selection.mode != GL_RENDER) return report(c, draw);
-    if (is_drawable(c)) submit_command(c, std::move(draw), std::move(calls));
+void submit(Context& context, Draw draw, std::vector<CallRun> calls) {
+    if (context.selection.mode != GL_RENDER) return report(context, draw);
+    if (is_drawable(context)) submit_command(context, std::move(draw), std::move(calls));
 }
 
-void flush_mesh(Context& c) {
-    Assembler& a = c.assembler;
+void flush_mesh(Context& context) {
+    Assembler& a = context.assembler;
     if (a.mesh.empty() || a.inside) return;
-    update_machine_state(c);
+    update_machine_state(context);
     const AssembledVertex first = a.mesh.vertices.front();
-    MeshRef mesh = c.meshes.mesh_of(a.mesh, a.materials,
-                                    used_values(c.state, c.selection.mode == GL_FEEDBACK));
-    submit(c, make_draw(c, std::move(mesh), first, a.materials.front()),
-           std::exchange(c.calls.runs, {}));
+    MeshRef mesh = context.meshes.mesh_of(
+        a.mesh, a.materials, used_values(context.state, context.selection.mode == GL_FEEDBACK));
+    submit(context, make_draw(context, std::move(mesh), first, a.materials.front()),
+           std::exchange(context.calls.runs, {}));
     a.clear();
 }
 

@@ -14,48 +14,48 @@ struct Context;
 
 /// Draws the mesh that has been assembled, if there is one. Everything that changes the state or reads
 /// pixels calls it first.
-void flush_mesh(Context& c);
+void flush_mesh(Context& context);
 
 /// Before a change of the state: flushes the mesh, and notes the change.
-void begin_change(Context& c);
+void begin_change(Context& context);
 
 /// Flushes the mesh, then assigns a value of the state.
 template <class T, class V>
-void change(Context& c, T& field, const V& value) {
+void change(Context& context, T& field, const V& value) {
     if (field == T(value)) return;
-    begin_change(c);
+    begin_change(context);
     field = T(value);
 }
 
 /// The current materials of both faces.
-FaceMaterials face_materials(const Context& c);
+FaceMaterials face_materials(const Context& context);
 
 /// The enabled texture; two dimensions come before one. Null: none, or it is not complete. [GL11]
 /// 3.8.10
-TextureRef enabled_texture(Context& c);
+TextureRef enabled_texture(Context& context);
 
 /// A draw with the current state. A vertex has `values` if the mesh has no array of them.
-Draw make_draw(Context& c, MeshRef mesh, const AssembledVertex& values,
+Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
                const FaceMaterials& materials);
 /// The same draw with a texture of two dimensions, so that the vertex stages make all texture
 /// coordinates.
 Draw with_texture_coordinates(Draw draw);
 /// Adds a draw to the frame; in feedback and selection mode, reports its primitives. `calls` are
 /// those of its primitives; none: the present call made them all.
-void submit(Context& c, Draw draw, std::vector<CallRun> calls = {});
+void submit(Context& context, Draw draw, std::vector<CallRun> calls = {});
 
 /// The call that is being carried out; none if calls are not kept.
-std::vector<CallRun> present_call(const Context& c);
+std::vector<CallRun> present_call(const Context& context);
 
 /// Brings Context::translated up to GL's state.
-void update_machine_state(Context& c);
+void update_machine_state(Context& context);
 
 /// Sends GL's state to the drawable, for commands that do not draw meshes (clears, pixels). False if
 /// there is no drawable.
-bool submit_state(Context& c, std::span<const CallRun> calls = {});
+bool submit_state(Context& context, std::span<const CallRun> calls = {});
 
 /// Sends GL's state and a command to the drawable if there is one. No other thread's command comes
 /// between the two.
-void submit_command(Context& c, Command command, std::vector<CallRun> calls = {});
+void submit_command(Context& context, Command command, std::vector<CallRun> calls = {});
 
 }  // namespace gw::gl

@@ -45,22 +45,24 @@ struct Caller<kind, execute, Result (*)(Context&, Values...)> {
 
 private:
     static Result run(Function function, const std::decay_t<Values>&... values) {
-        Context* const context = current;
-        if (context == nullptr) return Result();
-        Context& c = *context;
+        Context* const bound = current;
+        if (bound == nullptr) return Result();
+        Context& context = *bound;
         if constexpr (is_listed(kind)) {
-            if (c.lists.open && !is_for_proxy<execute>(values...)) [[unlikely]] {
-                guarded(c, [&] { c.lists.open->template add<kind, execute>(function, values...); });
-                if (c.lists.mode == GL_COMPILE) return Result();
+            if (context.lists.open && !is_for_proxy<execute>(values...)) [[unlikely]] {
+                guarded(context, [&] {
+                    context.lists.open->template add<kind, execute>(function, values...);
+                });
+                if (context.lists.mode == GL_COMPILE) return Result();
             }
         }
         if constexpr (!may_stand_inside(kind)) {
-            if (c.assembler.inside) [[unlikely]] {
-                set_error(c, GL_INVALID_OPERATION);
+            if (context.assembler.inside) [[unlikely]] {
+                set_error(context, GL_INVALID_OPERATION);
                 return Result();
             }
         }
-        return guarded(c, [&] { return execute(c, values...); });
+        return guarded(context, [&] { return execute(context, values...); });
     }
 };
 

@@ -94,20 +94,21 @@ private:
 };
 
 /// The list of a name; null: there is none, or it is empty.
-std::shared_ptr<const DisplayList> list_named(Context& c, GLuint name) {
-    const auto lock = c.shared->exclusive();
-    const auto found = c.shared->lists.lists.find(name);
-    return found != c.shared->lists.lists.end() ? found->second : nullptr;
+std::shared_ptr<const DisplayList> list_named(Context& context, GLuint name) {
+    const auto lock = context.shared->exclusive();
+    const auto found = context.shared->lists.lists.find(name);
+    return found != context.shared->lists.lists.end() ? found->second : nullptr;
 }
 
-void play(Context& c, GLuint name) {
-    if (c.lists.nesting >= max_list_nesting) return;
-    const std::shared_ptr<const DisplayList> list = list_named(c, name);  // it may delete itself
+void play(Context& context, GLuint name) {
+    if (context.lists.nesting >= max_list_nesting) return;
+    const std::shared_ptr<const DisplayList> list =
+        list_named(context, name);  // it may delete itself
     if (!list) return;
-    ++c.lists.nesting;
-    const PlayedListScope scope(c.calls, name);
-    list->play(c);
-    --c.lists.nesting;
+    ++context.lists.nesting;
+    const PlayedListScope scope(context.calls, name);
+    list->play(context);
+    --context.lists.nesting;
 }
 
 }  // namespace
@@ -123,58 +124,59 @@ Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists) {
 
 namespace execute {
 
-void new_list(Context& c, GLuint list, GLenum mode) {
-    if (list == 0) return set_error(c, GL_INVALID_VALUE);
-    if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE) return set_error(c, GL_INVALID_ENUM);
-    if (c.lists.open) return set_error(c, GL_INVALID_OPERATION);
-    c.lists.open = std::make_shared<DisplayList>();
-    c.lists.name = list;
-    c.lists.mode = mode;
+void new_list(Context& context, GLuint list, GLenum mode) {
+    if (list == 0) return set_error(context, GL_INVALID_VALUE);
+    if (mode != GL_COMPILE && mode != GL_COMPILE_AND_EXECUTE)
+        return set_error(context, GL_INVALID_ENUM);
+    if (context.lists.open) return set_error(context, GL_INVALID_OPERATION);
+    context.lists.open = std::make_shared<DisplayList>();
+    context.lists.name = list;
+    context.lists.mode = mode;
 }
 
-void end_list(Context& c) {
-    if (!c.lists.open) return set_error(c, GL_INVALID_OPERATION);
-    c.lists.open->seal();
-    const auto lock = c.shared->exclusive();
-    c.shared->lists.lists[c.lists.name] = std::move(c.lists.open);
-    c.lists.open = nullptr;
+void end_list(Context& context) {
+    if (!context.lists.open) return set_error(context, GL_INVALID_OPERATION);
+    context.lists.open->seal();
+    const auto lock = context.shared->exclusive();
+    context.shared->lists.lists[context.lists.name] = std::move(context.lists.open);
+    context.lists.open = nullptr;
 }
 
-void call_list(Context& c, GLuint list) { play(c, list); }
+void call_list(Context& context, GLuint list) { play(context, list); }
 
-void call_lists(Context& c, GLsizei n, GLenum type, const Numbers& names) {
-    if (n < 0) return set_error(c, GL_INVALID_VALUE);
-    if (bytes_of_name(type) == 0) return set_error(c, GL_INVALID_ENUM);
-    for (const double name : *names) play(c, c.state.list.base + whole_name(name));
+void call_lists(Context& context, GLsizei n, GLenum type, const Numbers& names) {
+    if (n < 0) return set_error(context, GL_INVALID_VALUE);
+    if (bytes_of_name(type) == 0) return set_error(context, GL_INVALID_ENUM);
+    for (const double name : *names) play(context, context.state.list.base + whole_name(name));
 }
 
-GLuint gen_lists(Context& c, GLsizei range) {
-    if (range < 0) return set_error(c, GL_INVALID_VALUE), 0;
+GLuint gen_lists(Context& context, GLsizei range) {
+    if (range < 0) return set_error(context, GL_INVALID_VALUE), 0;
     if (range == 0) return 0;
-    if (range > most_names) return set_error(c, GL_OUT_OF_MEMORY), 0;
-    const auto lock = c.shared->exclusive();
-    const GLuint first = free_names(c.shared->lists, GLuint(range));
+    if (range > most_names) return set_error(context, GL_OUT_OF_MEMORY), 0;
+    const auto lock = context.shared->exclusive();
+    const GLuint first = free_names(context.shared->lists, GLuint(range));
     if (first == 0) return 0;
-    for (GLuint i = 0; i < GLuint(range); ++i) c.shared->lists.lists[first + i] = nullptr;
+    for (GLuint i = 0; i < GLuint(range); ++i) context.shared->lists.lists[first + i] = nullptr;
     return first;
 }
 
-GLboolean is_list(Context& c, GLuint list) {
-    const auto lock = c.shared->exclusive();
-    return c.shared->lists.lists.contains(list) ? GL_TRUE : GL_FALSE;
+GLboolean is_list(Context& context, GLuint list) {
+    const auto lock = context.shared->exclusive();
+    return context.shared->lists.lists.contains(list) ? GL_TRUE : GL_FALSE;
 }
 
-void delete_lists(Context& c, GLuint list, GLsizei range) {
-    if (range < 0) return set_error(c, GL_INVALID_VALUE);
-    const auto lock = c.shared->exclusive();
-    auto& lists = c.shared->lists.lists;
+void delete_lists(Context& context, GLuint list, GLsizei range) {
+    if (range < 0) return set_error(context, GL_INVALID_VALUE);
+    const auto lock = context.shared->exclusive();
+    auto& lists = context.shared->lists.lists;
     const std::uint64_t end = std::uint64_t(list) + std::uint64_t(range);
     const auto last =
         end > std::numeric_limits<GLuint>::max() ? lists.end() : lists.lower_bound(GLuint(end));
     lists.erase(lists.lower_bound(list), last);
 }
 
-void list_base(Context& c, GLuint base) { c.state.list.base = base; }
+void list_base(Context& context, GLuint base) { context.state.list.base = base; }
 
 }  // namespace execute
 

@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t first_block = 1024, largest_block = 1 << 20;
 }
 
-bool is_misplaced(Context& c) {
-    if (!c.assembler.inside) return false;
-    set_error(c, GL_INVALID_OPERATION);
+bool is_misplaced(Context& context) {
+    if (!context.assembler.inside) return false;
+    set_error(context, GL_INVALID_OPERATION);
     return true;
 }
 
@@ -49,18 +49,18 @@ DisplayList::Position DisplayList::next(Position p) const {
     return p.at < blocks_[p.block].used ? p : Position{p.block + 1, 0};
 }
 
-void DisplayList::play_calls(Context& c, const Step& step) const {
+void DisplayList::play_calls(Context& context, const Step& step) const {
     std::uint32_t number = step.first;
     for (Position p = step.begin; p != step.end; p = next(p), ++number) {
-        if (calls_are_kept && !c.calls.is_one_call) [[unlikely]]
-            c.calls.now = {number, header(p).function, nullptr, c.calls.list};
-        header(p).operations->play(c, values(p));
+        if (calls_are_kept && !context.calls.is_one_call) [[unlikely]]
+            context.calls.now = {number, header(p).function, nullptr, context.calls.list};
+        header(p).operations->play(context, values(p));
     }
 }
 
-void DisplayList::play(Context& c) const {
+void DisplayList::play(Context& context) const {
     for (const Step& step : steps_)
-        if (!step.runs || !draw_runs(c, *step.runs)) play_calls(c, step);
+        if (!step.runs || !draw_runs(context, *step.runs)) play_calls(context, step);
 }
 
 }  // namespace gw::gl

@@ -50,7 +50,7 @@ public:
     /// Ends the list: complete runs of vertices become meshes.
     void seal();
 
-    void play(Context& c) const;
+    void play(Context& context) const;
 
 private:
     struct Header {
@@ -80,7 +80,7 @@ private:
     const std::byte* values(const Position& p) const;
     Position next(Position p) const;
     Position end() const { return {blocks_.size(), 0}; }
-    void play_calls(Context& c, const Step& step) const;
+    void play_calls(Context& context, const Step& step) const;
 
     std::vector<Block> blocks_;
     std::vector<Step> steps_;
@@ -90,14 +90,15 @@ private:
 inline constexpr std::size_t list_alignment = 16;
 
 /// Sets the error of a call that may not stand between Begin and End, if one is played there.
-bool is_misplaced(Context& c);
+bool is_misplaced(Context& context);
 
 template <Kind kind, auto execute, class Kept>
 inline constexpr ListedOperations listed_operations{
-    [](Context& c, const std::byte* at) {
+    [](Context& context, const std::byte* at) {
         if constexpr (!may_stand_inside(kind))
-            if (is_misplaced(c)) return;
-        std::apply([&](const auto&... v) { execute(c, v...); }, *reinterpret_cast<const Kept*>(at));
+            if (is_misplaced(context)) return;
+        std::apply([&](const auto&... v) { execute(context, v...); },
+                   *reinterpret_cast<const Kept*>(at));
     },
     [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }, &call_id<execute>};
 

@@ -17,9 +17,9 @@ const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
 }
 
 /// The current values in place of arrays that a mesh lacks.
-AssembledVertex common_values(const Context& c, const SealedRuns& runs,
+AssembledVertex common_values(const Context& context, const SealedRuns& runs,
                               const AssembledVertex& first) {
-    AssembledVertex out = current_vertex(c.state.current);
+    AssembledVertex out = current_vertex(context.state.current);
     if (runs.given.color) out.color = first.color;
     if (runs.given.normal) out.normal = first.normal;
     if (runs.given.texcoord) out.texcoord = first.texcoord;
@@ -34,34 +34,35 @@ void set_current(CurrentState& now, const SealedRuns& runs) {
 }
 
 /// The calls of a part in the list that is being played.
-std::vector<CallRun> played_calls(const Context& c, const SealedRuns::Part& part) {
-    if (!calls_are_kept || c.calls.is_one_call) return {};
+std::vector<CallRun> played_calls(const Context& context, const SealedRuns::Part& part) {
+    if (!calls_are_kept || context.calls.is_one_call) return {};
     std::vector<CallRun> calls = part.calls;
-    for (CallRun& run : calls) run.call.list = c.calls.list;
+    for (CallRun& run : calls) run.call.list = context.calls.list;
     return calls;
 }
 
 }  // namespace
 
-bool draw_runs(Context& c, SealedRuns& runs) {
-    if (c.assembler.inside ||
-        (runs.has_line_strips && (c.state.line.stipple || c.selection.mode == GL_FEEDBACK)) ||
-        (!runs.given.edge_flag && !c.state.current.edge_flag))
+bool draw_runs(Context& context, SealedRuns& runs) {
+    if (context.assembler.inside ||
+        (runs.has_line_strips &&
+         (context.state.line.stipple || context.selection.mode == GL_FEEDBACK)) ||
+        (!runs.given.edge_flag && !context.state.current.edge_flag))
         return false;
-    flush_mesh(c);
-    update_machine_state(c);
-    VertexValues used = used_values(c.state, c.selection.mode == GL_FEEDBACK);
+    flush_mesh(context);
+    update_machine_state(context);
+    VertexValues used = used_values(context.state, context.selection.mode == GL_FEEDBACK);
     used.materials = false;
     used.colors &= runs.given.color;
     used.normals &= runs.given.normal;
     used.texcoords &= runs.given.texcoord;
-    const FaceMaterials materials = face_materials(c);
+    const FaceMaterials materials = face_materials(context);
     for (SealedRuns::Part& part : runs.parts)
-        submit(c,
-               make_draw(c, mesh_for(part, used),
-                         common_values(c, runs, part.assembly.vertices.front()), materials),
-               played_calls(c, part));
-    set_current(c.state.current, runs);
+        submit(context,
+               make_draw(context, mesh_for(part, used),
+                         common_values(context, runs, part.assembly.vertices.front()), materials),
+               played_calls(context, part));
+    set_current(context.state.current, runs);
     return true;
 }
 

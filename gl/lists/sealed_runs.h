@@ -34,6 +34,6 @@ struct SealedRuns {
 /// Draws the runs and sets the current values. Returns false, and does nothing, if the runs depend
 /// on the state. They do so between Begin and End, as line strips with a stipple or in feedback,
 /// and under an edge flag of false.
-bool draw_runs(Context& c, SealedRuns& runs);
+bool draw_runs(Context& context, SealedRuns& runs);
 
 }  // namespace gw::gl

@@ -19,25 +19,25 @@ namespace gw::gl {
 
 namespace {
 
-RasterPosition raster_position(const Context& c) {
-    const CurrentState::Raster& raster = c.state.current.raster;
+RasterPosition raster_position(const Context& context) {
+    const CurrentState::Raster& raster = context.state.current.raster;
     return {.x = raster.position.x,
             .y = raster.position.y,
-            .depth = quantize(raster.position.z, c.profile.depth_bits),
-            .color = quantize_color(raster.color, c.profile.color_bits),
+            .depth = quantize(raster.position.z, context.profile.depth_bits),
+            .color = quantize_color(raster.color, context.profile.color_bits),
             .texcoord = raster.texcoord,
             .distance = raster.distance};
 }
 
 /// A rectangle at the raster position, without its pixels.
-gw::DrawPixels rectangle(Context& c, GLsizei width, GLsizei height) {
+gw::DrawPixels rectangle(Context& context, GLsizei width, GLsizei height) {
     gw::DrawPixels out;
     out.width = width;
     out.height = height;
-    out.raster = raster_position(c);
-    out.zoom_x = c.state.pixel.zoom_x;
-    out.zoom_y = c.state.pixel.zoom_y;
-    out.map.texture = enabled_texture(c);
+    out.raster = raster_position(context);
+    out.zoom_x = context.state.pixel.zoom_x;
+    out.zoom_y = context.state.pixel.zoom_y;
+    out.map.texture = enabled_texture(context);
     return out;
 }
 
@@ -49,19 +49,21 @@ bool is_nameable(const Rect& r) {
 }
 
 /// Whether a rectangle draws: not in feedback, which gets `token`, nor in selection.
-bool is_drawn(Context& c, GLenum token) {
-    if (!c.state.current.raster.valid) return false;
-    flush_mesh(c);
-    if (c.selection.mode == GL_RENDER) return c.drawable != nullptr;
-    report_raster_position(c, token);
+bool is_drawn(Context& context, GLenum token) {
+    if (!context.state.current.raster.valid) return false;
+    flush_mesh(context);
+    if (context.selection.mode == GL_RENDER) return context.drawable != nullptr;
+    report_raster_position(context, token);
     return false;
 }
 
-void set_depths(gw::DrawPixels& out, const Context& c, const std::vector<double>& depths) {
-    for (const double depth : depths) out.depths.push_back(quantize(depth, c.profile.depth_bits));
+void set_depths(gw::DrawPixels& out, const Context& context, const std::vector<double>& depths) {
+    for (const double depth : depths)
+        out.depths.push_back(quantize(depth, context.profile.depth_bits));
 }
-void set_stencils(gw::DrawPixels& out, const Context& c, const std::vector<GLuint>& stencils) {
-    const GLuint mask = (1u << c.profile.stencil_bits) - 1;
+void set_stencils(gw::DrawPixels& out, const Context& context,
+                  const std::vector<GLuint>& stencils) {
+    const GLuint mask = (1u << context.profile.stencil_bits) - 1;
     for (const GLuint stencil : stencils) out.stencils.push_back(stencil & mask);
 }
 
@@ -73,19 +75,19 @@ bool is_identity(const PixelState& s, Plane plane) {
 }
 
 /// The pixels of a copy, read and transferred by the front end.
-void set_transferred(gw::DrawPixels& out, Context& c, Plane plane, const Rect& rect) {
+void set_transferred(gw::DrawPixels& out, Context& context, Plane plane, const Rect& rect) {
     if (plane == Plane::Color) {
-        out.colors = read_rgba(c, rect, Cause::Copy, c.profile.color_bits);
+        out.colors = read_rgba(context, rect, Cause::Copy, context.profile.color_bits);
         return;
     }
-    std::vector<double> values = read_values(c, plane, rect, Cause::Copy);
+    std::vector<double> values = read_values(context, plane, rect, Cause::Copy);
     if (plane == Plane::Depth) {
-        for (double& depth : values) depth = transferred_depth(c, depth);
-        return set_depths(out, c, values);
+        for (double& depth : values) depth = transferred_depth(context, depth);
+        return set_depths(out, context, values);
     }
     std::vector<GLuint> stencils;
-    for (const double v : values) stencils.push_back(transferred_stencil(c, v));
-    set_stencils(out, c, stencils);
+    for (const double v : values) stencils.push_back(transferred_stencil(context, v));
+    set_stencils(out, context, stencils);
 }
 
 /// Bits as runs of the raster colour.
@@ -124,12 +126,12 @@ Command plain(const gw::DrawPixels& pixels) {
 /// no fragments. EXT_packed_depth_stencil, 3.6.4
 class Untested {
 public:
-    explicit Untested(Context& c) : context_(c), before_(c.state) {
-        begin_change(c);
-        c.state.stencil.test = c.state.color_buffer.alpha_test = false;
-        c.state.color_buffer.mask.fill(false);
-        c.state.depth.test = true;
-        c.state.depth.func = GL_ALWAYS;
+    explicit Untested(Context& context) : context_(context), before_(context.state) {
+        begin_change(context);
+        context.state.stencil.test = context.state.color_buffer.alpha_test = false;
+        context.state.color_buffer.mask.fill(false);
+        context.state.depth.test = true;
+        context.state.depth.func = GL_ALWAYS;
     }
     ~Untested() {
         context_.state = before_;
@@ -143,92 +145,94 @@ private:
     const State before_;
 };
 
-void add_rectangle(Context& c, gw::DrawPixels pixels) {
-    if (c.profile.extensions.draw_pixels) return submit_command(c, std::move(pixels));
-    if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(c, GL_INVALID_OPERATION);
-    submit_command(c, plain(pixels));
+void add_rectangle(Context& context, gw::DrawPixels pixels) {
+    if (context.profile.extensions.draw_pixels) return submit_command(context, std::move(pixels));
+    if (pixels.zoom_x != 1 || pixels.zoom_y != 1) return set_error(context, GL_INVALID_OPERATION);
+    submit_command(context, plain(pixels));
 }
 
-void add_rectangle_of_any_size(Context& c, gw::DrawPixels pixels) {
+void add_rectangle_of_any_size(Context& context, gw::DrawPixels pixels) {
     for_each_piece(std::move(pixels),
-                   [&](gw::DrawPixels piece) { add_rectangle(c, std::move(piece)); });
+                   [&](gw::DrawPixels piece) { add_rectangle(context, std::move(piece)); });
 }
 
-void draw_depths_and_stencils(Context& c, GLsizei width, GLsizei height, const HostImage& image) {
-    const DepthsAndStencils host = host_depths_and_stencils(c, width, height, image);
-    gw::DrawPixels stencils = rectangle(c, width, height);
-    set_stencils(stencils, c, host.stencils);
-    add_rectangle_of_any_size(c, std::move(stencils));
-    const Untested untested(c);
-    gw::DrawPixels depths = rectangle(c, width, height);
-    set_depths(depths, c, host.depths);
-    add_rectangle_of_any_size(c, std::move(depths));
+void draw_depths_and_stencils(Context& context, GLsizei width, GLsizei height,
+                              const HostImage& image) {
+    const DepthsAndStencils host = host_depths_and_stencils(context, width, height, image);
+    gw::DrawPixels stencils = rectangle(context, width, height);
+    set_stencils(stencils, context, host.stencils);
+    add_rectangle_of_any_size(context, std::move(stencils));
+    const Untested untested(context);
+    gw::DrawPixels depths = rectangle(context, width, height);
+    set_depths(depths, context, host.depths);
+    add_rectangle_of_any_size(context, std::move(depths));
 }
 
 /// Pixels outside the window are not drawn, so they can be left out.
-void copy_plane(Context& c, Plane plane, const Rect& whole) {
-    const Rect rect = is_nameable(whole) ? whole : part_inside(*c.read_drawable, whole);
+void copy_plane(Context& context, Plane plane, const Rect& whole) {
+    const Rect rect = is_nameable(whole) ? whole : part_inside(*context.read_drawable, whole);
     if (rect.area() == 0) return;
-    gw::DrawPixels out = rectangle(c, rect.width, rect.height);
+    gw::DrawPixels out = rectangle(context, rect.width, rect.height);
     out.raster.x += out.zoom_x * (double(rect.x) - double(whole.x));
     out.raster.y += out.zoom_y * (double(rect.y) - double(whole.y));
-    if (is_identity(c.state.pixel, plane))
+    if (is_identity(context.state.pixel, plane))
         out.source = PixelSource{plane, rect.x, rect.y};
     else
-        set_transferred(out, c, plane, rect);
-    add_rectangle(c, std::move(out));
+        set_transferred(out, context, plane, rect);
+    add_rectangle(context, std::move(out));
 }
 
 }  // namespace
 
 namespace execute {
 
-void draw_pixels(Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
+void draw_pixels(Context& context, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  const HostImage& image) {
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    if (!is_drawn(c, GL_DRAW_PIXEL_TOKEN) || !image.is_given()) return;
-    if (format == GL_DEPTH_STENCIL) return draw_depths_and_stencils(c, width, height, image);
-    gw::DrawPixels out = rectangle(c, width, height);
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    if (const GLenum error = format_error(format, type)) return set_error(context, error);
+    if (!is_drawn(context, GL_DRAW_PIXEL_TOKEN) || !image.is_given()) return;
+    if (format == GL_DEPTH_STENCIL) return draw_depths_and_stencils(context, width, height, image);
+    gw::DrawPixels out = rectangle(context, width, height);
     if (format == GL_DEPTH_COMPONENT)
-        set_depths(out, c, host_depths(c, width, height, type, image));
+        set_depths(out, context, host_depths(context, width, height, type, image));
     else if (format == GL_STENCIL_INDEX)
-        set_stencils(out, c, host_stencils(c, width, height, type, image));
+        set_stencils(out, context, host_stencils(context, width, height, type, image));
     else
-        out.colors = host_rgba(c, width, height, format, type, image, c.profile.color_bits);
-    add_rectangle_of_any_size(c, std::move(out));
+        out.colors =
+            host_rgba(context, width, height, format, type, image, context.profile.color_bits);
+    add_rectangle_of_any_size(context, std::move(out));
 }
 
-void bitmap(Context& c, GLsizei width, GLsizei height, float xorig, float yorig, float xmove,
+void bitmap(Context& context, GLsizei width, GLsizei height, float xorig, float yorig, float xmove,
             float ymove, const HostImage& image) {
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    CurrentState::Raster& raster = c.state.current.raster;
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    CurrentState::Raster& raster = context.state.current.raster;
     if (!raster.valid) return;
-    if (is_drawn(c, GL_BITMAP_TOKEN) && image.is_given()) {
-        gw::DrawPixels out = rectangle(c, width, height);
+    if (is_drawn(context, GL_BITMAP_TOKEN) && image.is_given()) {
+        gw::DrawPixels out = rectangle(context, width, height);
         out.raster.x = std::floor(raster.position.x - finite(double(xorig)));
         out.raster.y = std::floor(raster.position.y - finite(double(yorig)));
         out.zoom_x = out.zoom_y = 1;
         for (const std::byte bits : image.bytes)
             out.bits.push_back(std::to_integer<std::uint8_t>(bits));
-        add_rectangle_of_any_size(c, std::move(out));
+        add_rectangle_of_any_size(context, std::move(out));
     }
     raster.position.x += finite(double(xmove));
     raster.position.y += finite(double(ymove));
 }
 
-void copy_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+void copy_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
-        return set_error(c, GL_INVALID_ENUM);
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    if (!is_drawn(c, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
+        return set_error(context, GL_INVALID_ENUM);
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    if (!is_drawn(context, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
     const Rect rect{x, y, width, height};
-    if (type == GL_COLOR) return copy_plane(c, Plane::Color, rect);
-    if (type != GL_DEPTH) copy_plane(c, Plane::Stencil, rect);
-    if (type == GL_DEPTH) copy_plane(c, Plane::Depth, rect);
+    if (type == GL_COLOR) return copy_plane(context, Plane::Color, rect);
+    if (type != GL_DEPTH) copy_plane(context, Plane::Stencil, rect);
+    if (type == GL_DEPTH) copy_plane(context, Plane::Depth, rect);
     if (type != GL_DEPTH_STENCIL) return;
-    const Untested untested(c);
-    copy_plane(c, Plane::Depth, rect);
+    const Untested untested(context);
+    copy_plane(context, Plane::Depth, rect);
 }
 
 }  // namespace execute

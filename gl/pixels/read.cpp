@@ -23,77 +23,77 @@ void place(std::vector<T>& out, const Rect& rect, const Rect& inside, Value valu
 }
 
 /// Sends the read buffer to the drawable that is read.
-void submit_read_buffer(Context& c) {
-    if (c.read_drawable == c.drawable) {
-        submit_state(c);
+void submit_read_buffer(Context& context) {
+    if (context.read_drawable == context.drawable) {
+        submit_state(context);
         return;
     }
-    update_machine_state(c);
-    gw::State state = c.translated.state;
-    const GLenum mode = c.state.pixel.read_buffer;
+    update_machine_state(context);
+    gw::State state = context.translated.state;
+    const GLenum mode = context.state.pixel.read_buffer;
     const bool is_back = mode == GL_BACK || mode == GL_BACK_LEFT;
-    state.read_buffer =
-        is_back && c.read_drawable->has_back_plane() ? gw::ReadBuffer::Back : gw::ReadBuffer::Front;
-    c.read_drawable->set_state(state);
+    state.read_buffer = is_back && context.read_drawable->has_back_plane() ? gw::ReadBuffer::Back
+                                                                           : gw::ReadBuffer::Front;
+    context.read_drawable->set_state(state);
 }
 
 /// The colours of a rectangle, 8 bits a channel; 0 outside the drawable.
-std::vector<std::uint32_t> read_words(Context& c, const Rect& rect, Cause cause) {
+std::vector<std::uint32_t> read_words(Context& context, const Rect& rect, Cause cause) {
     std::vector<std::uint32_t> out(rect.area(), 0);
-    const Rect inside = part_inside(*c.read_drawable, rect);
+    const Rect inside = part_inside(*context.read_drawable, rect);
     if (inside.area() == 0) return out;
-    submit_read_buffer(c);
+    submit_read_buffer(context);
     if (inside == rect) {
-        c.read_drawable->read_packed(rect, cause, out);
+        context.read_drawable->read_packed(rect, cause, out);
         return out;
     }
     std::vector<std::uint32_t> read(inside.area());
-    c.read_drawable->read_packed(inside, cause, read);
+    context.read_drawable->read_packed(inside, cause, read);
     place(out, rect, inside, [&](std::size_t i) { return read[i]; });
     return out;
 }
 
-bool has_bytes(const Context& c) { return c.read_drawable->profile().color_bits == 8; }
+bool has_bytes(const Context& context) { return context.read_drawable->profile().color_bits == 8; }
 
 double largest(int bits) { return double((std::uint64_t{1} << bits) - 1); }
 
 /// Whether bytes of a format are bytes of the plane, each after transfer.
-bool is_read_as_bytes(const Context& c, GLenum format, GLenum type) {
-    return type == GL_UNSIGNED_BYTE && is_texel_format(format) && has_bytes(c) &&
+bool is_read_as_bytes(const Context& context, GLenum format, GLenum type) {
+    return type == GL_UNSIGNED_BYTE && is_texel_format(format) && has_bytes(context) &&
            format != GL_LUMINANCE && format != GL_LUMINANCE_ALPHA;
 }
 
 /// Reads such bytes, row after row.
-void read_bytes(Context& c, const Rect& rect, GLenum format, std::byte* out) {
+void read_bytes(Context& context, const Rect& rect, GLenum format, std::byte* out) {
     const bool is_words = (format == GL_RGBA || format == GL_BGRA) &&
                           reinterpret_cast<std::uintptr_t>(out) % alignof(std::uint32_t) == 0;
-    if (!is_words || part_inside(*c.read_drawable, rect) != rect)
-        return pack_bytes(c, read_words(c, rect, Cause::Read), format, out);
+    if (!is_words || part_inside(*context.read_drawable, rect) != rect)
+        return pack_bytes(context, read_words(context, rect, Cause::Read), format, out);
     const std::span words(reinterpret_cast<std::uint32_t*>(out), rect.area());
-    submit_read_buffer(c);
-    c.read_drawable->read_packed(rect, Cause::Read, words);
-    pack_bytes(c, words, format, out);
+    submit_read_buffer(context);
+    context.read_drawable->read_packed(rect, Cause::Read, words);
+    pack_bytes(context, words, format, out);
 }
 
 /// The rows of a rectangle of colours for memory.
-std::vector<std::byte> packed_rows(Context& c, const Rect& rect, GLenum format, GLenum type) {
-    if (is_read_as_bytes(c, format, type)) {
+std::vector<std::byte> packed_rows(Context& context, const Rect& rect, GLenum format, GLenum type) {
+    if (is_read_as_bytes(context, format, type)) {
         std::vector<std::byte> rows(rect.area() * std::size_t(component_count(format)));
-        read_bytes(c, rect, format, rows.data());
+        read_bytes(context, rect, format, rows.data());
         return rows;
     }
-    std::vector<vec4> colors = read_colors(c, rect, Cause::Read);
-    for (vec4& color : colors) color = transferred_color(c, color);
+    std::vector<vec4> colors = read_colors(context, rect, Cause::Read);
+    for (vec4& color : colors) color = transferred_color(context, color);
     return packed_colors(colors, format, type);
 }
 
 /// Rows of depths and stencil values for memory.
-std::vector<std::byte> packed_pairs(Context& c, const Rect& rect) {
+std::vector<std::byte> packed_pairs(Context& context, const Rect& rect) {
     DepthsAndStencils out;
-    for (const double depth : read_values(c, Plane::Depth, rect, Cause::Read))
-        out.depths.push_back(transferred_depth(c, depth));
-    for (const double stencil : read_values(c, Plane::Stencil, rect, Cause::Read))
-        out.stencils.push_back(transferred_stencil(c, stencil));
+    for (const double depth : read_values(context, Plane::Depth, rect, Cause::Read))
+        out.depths.push_back(transferred_depth(context, depth));
+    for (const double stencil : read_values(context, Plane::Stencil, rect, Cause::Read))
+        out.stencils.push_back(transferred_stencil(context, stencil));
     return packed_depths_and_stencils(out);
 }
 
@@ -109,13 +109,13 @@ Rect part_inside(const Drawable& drawable, const Rect& r) {
     return {x, y, width, height};
 }
 
-std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause) {
+std::vector<vec4> read_colors(Context& context, const Rect& rect, Cause cause) {
     std::vector<vec4> out(rect.area(), vec4(0));
-    const Rect inside = part_inside(*c.read_drawable, rect);
+    const Rect inside = part_inside(*context.read_drawable, rect);
     if (inside.area() == 0) return out;
-    submit_read_buffer(c);
-    const Readback read = c.read_drawable->read(Plane::Color, inside, cause);
-    const auto scale = float(largest(c.read_drawable->profile().color_bits));
+    submit_read_buffer(context);
+    const Readback read = context.read_drawable->read(Plane::Color, inside, cause);
+    const auto scale = float(largest(context.read_drawable->profile().color_bits));
     place(out, rect, inside, [&](std::size_t i) {
         const Rgba& p = read.color[i];
         return vec4(p[0], p[1], p[2], p[3]) / scale;
@@ -123,21 +123,22 @@ std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause) {
     return out;
 }
 
-std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits) {
-    if (has_bytes(c)) return transferred_rgba(c, read_words(c, rect, cause), bits);
+std::vector<Rgba> read_rgba(Context& context, const Rect& rect, Cause cause, int bits) {
+    if (has_bytes(context))
+        return transferred_rgba(context, read_words(context, rect, cause), bits);
     std::vector<Rgba> out;
-    for (const vec4& color : read_colors(c, rect, cause))
-        out.push_back(quantize_color(transferred_color(c, color), bits));
+    for (const vec4& color : read_colors(context, rect, cause))
+        out.push_back(quantize_color(transferred_color(context, color), bits));
     return out;
 }
 
-std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause) {
-    const Rect inside = part_inside(*c.read_drawable, rect);
+std::vector<double> read_values(Context& context, Plane plane, const Rect& rect, Cause cause) {
+    const Rect inside = part_inside(*context.read_drawable, rect);
     if (inside.area() == 0) return std::vector(rect.area(), 0.0);
     std::vector<std::uint32_t> read(inside.area());
-    c.read_drawable->read_values(plane, inside, cause, read);
+    context.read_drawable->read_values(plane, inside, cause, read);
     const double scale =
-        plane == Plane::Depth ? largest(c.read_drawable->profile().depth_bits) : 1.0;
+        plane == Plane::Depth ? largest(context.read_drawable->profile().depth_bits) : 1.0;
     std::vector<double> values(read.size());
     for (std::size_t i = 0; i < read.size(); ++i) values[i] = double(read[i]) / scale;
     if (inside == rect) return values;
@@ -148,31 +149,31 @@ std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause
 
 namespace execute {
 
-void read_pixels(Context& c, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
+void read_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format,
                  GLenum type, GLvoid* pixels) {
-    if (width < 0 || height < 0) return set_error(c, GL_INVALID_VALUE);
-    if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    if (format == GL_COLOR_INDEX) return set_error(c, GL_INVALID_OPERATION);
-    if (c.read_drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
-    flush_mesh(c);
+    if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
+    if (const GLenum error = format_error(format, type)) return set_error(context, error);
+    if (format == GL_COLOR_INDEX) return set_error(context, GL_INVALID_OPERATION);
+    if (context.read_drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
+    flush_mesh(context);
     const Rect rect{x, y, width, height};
-    if (is_read_as_bytes(c, format, type))
-        if (const auto at = rows_in_memory(c.client.pack, width, format, type))
-            return read_bytes(c, rect, format, static_cast<std::byte*>(pixels) + *at);
+    if (is_read_as_bytes(context, format, type))
+        if (const auto at = rows_in_memory(context.client.pack, width, format, type))
+            return read_bytes(context, rect, format, static_cast<std::byte*>(pixels) + *at);
     std::vector<std::byte> rows;
     if (format == GL_DEPTH_STENCIL) {
-        rows = packed_pairs(c, rect);
+        rows = packed_pairs(context, rect);
     } else if (format == GL_STENCIL_INDEX || format == GL_DEPTH_COMPONENT) {
         const bool is_depth = format == GL_DEPTH_COMPONENT;
         std::vector<double> values =
-            read_values(c, is_depth ? Plane::Depth : Plane::Stencil, rect, Cause::Read);
+            read_values(context, is_depth ? Plane::Depth : Plane::Stencil, rect, Cause::Read);
         for (double& v : values)
-            v = is_depth ? transferred_depth(c, v) : double(transferred_stencil(c, v));
+            v = is_depth ? transferred_depth(context, v) : double(transferred_stencil(context, v));
         rows = packed_values(values, width, format, type);
     } else {
-        rows = packed_rows(c, rect, format, type);
+        rows = packed_rows(context, rect, format, type);
     }
-    copy_to_memory(pixels, c.client.pack, width, height, format, type, rows);
+    copy_to_memory(pixels, context.client.pack, width, height, format, type, rows);
 }
 
 }  // namespace execute

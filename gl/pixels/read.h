@@ -16,10 +16,10 @@ class Drawable;
 Rect part_inside(const Drawable& drawable, const Rect& rect);
 
 /// Colours 0 .. 1, bottom row first; 0 outside the drawable. The context has a drawable.
-std::vector<vec4> read_colors(Context& c, const Rect& rect, Cause cause);
+std::vector<vec4> read_colors(Context& context, const Rect& rect, Cause cause);
 /// The same after transfer, quantized to `bits` bits.
-std::vector<Rgba> read_rgba(Context& c, const Rect& rect, Cause cause, int bits);
+std::vector<Rgba> read_rgba(Context& context, const Rect& rect, Cause cause, int bits);
 /// Depths 0 .. 1, or stencil values.
-std::vector<double> read_values(Context& c, Plane plane, const Rect& rect, Cause cause);
+std::vector<double> read_values(Context& context, Plane plane, const Rect& rect, Cause cause);
 
 }  // namespace gw::gl

@@ -28,21 +28,21 @@ Numbers map_numbers(GLenum map, GLsizei size, const T* values) {
     return out;
 }
 
-void set_store(Context& c, GLint& field, int value, bool valid) {
-    if (!valid) return set_error(c, GL_INVALID_VALUE);
+void set_store(Context& context, GLint& field, int value, bool valid) {
+    if (!valid) return set_error(context, GL_INVALID_VALUE);
     field = value;
 }
 
-void set_store(Context& c, PixelStore& s, GLenum what, double param) {
+void set_store(Context& context, PixelStore& s, GLenum what, double param) {
     const int value = rounded(param);
     switch (what) {
         case GL_UNPACK_SWAP_BYTES: s.swap_bytes = param != 0; return;
         case GL_UNPACK_LSB_FIRST: s.lsb_first = param != 0; return;
-        case GL_UNPACK_ROW_LENGTH: return set_store(c, s.row_length, value, value >= 0);
-        case GL_UNPACK_SKIP_ROWS: return set_store(c, s.skip_rows, value, value >= 0);
-        case GL_UNPACK_SKIP_PIXELS: return set_store(c, s.skip_pixels, value, value >= 0);
+        case GL_UNPACK_ROW_LENGTH: return set_store(context, s.row_length, value, value >= 0);
+        case GL_UNPACK_SKIP_ROWS: return set_store(context, s.skip_rows, value, value >= 0);
+        case GL_UNPACK_SKIP_PIXELS: return set_store(context, s.skip_pixels, value, value >= 0);
         case GL_UNPACK_ALIGNMENT:
-            return set_store(c, s.alignment, value,
+            return set_store(context, s.alignment, value,
                              value == 1 || value == 2 || value == 4 || value == 8);
     }
 }
@@ -61,17 +61,17 @@ Numbers map_values(GLenum map, GLsizei size, const GLushort* values) {
 
 namespace execute {
 
-void pixel_store(Context& c, GLenum pname, double param) {
+void pixel_store(Context& context, GLenum pname, double param) {
     if (pname >= GL_UNPACK_SWAP_BYTES && pname <= GL_UNPACK_ALIGNMENT)
-        return set_store(c, c.client.unpack, pname, param);
+        return set_store(context, context.client.unpack, pname, param);
     if (pname >= GL_PACK_SWAP_BYTES && pname <= GL_PACK_ALIGNMENT)
-        return set_store(c, c.client.pack, pname - GL_PACK_SWAP_BYTES + GL_UNPACK_SWAP_BYTES,
-                         param);
-    set_error(c, GL_INVALID_ENUM);
+        return set_store(context, context.client.pack,
+                         pname - GL_PACK_SWAP_BYTES + GL_UNPACK_SWAP_BYTES, param);
+    set_error(context, GL_INVALID_ENUM);
 }
 
-void pixel_transfer(Context& c, GLenum pname, double param) {
-    PixelState& s = c.state.pixel;
+void pixel_transfer(Context& context, GLenum pname, double param) {
+    PixelState& s = context.state.pixel;
     const auto value = float(finite(param));
     switch (pname) {
         case GL_MAP_COLOR: s.map_color = param != 0; return;
@@ -89,24 +89,24 @@ void pixel_transfer(Context& c, GLenum pname, double param) {
         case GL_DEPTH_SCALE: s.depth_scale = value; return;
         case GL_DEPTH_BIAS: s.depth_bias = value; return;
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
-void pixel_map(Context& c, GLenum map, GLsizei size, const Numbers& values) {
-    if (!is_map(map)) return set_error(c, GL_INVALID_ENUM);
+void pixel_map(Context& context, GLenum map, GLsizei size, const Numbers& values) {
+    if (!is_map(map)) return set_error(context, GL_INVALID_ENUM);
     const bool by_index = map <= GL_PIXEL_MAP_I_TO_A;
     if (size < 1 || size > max_pixel_map || (by_index && !std::has_single_bit(unsigned(size))))
-        return set_error(c, GL_INVALID_VALUE);
+        return set_error(context, GL_INVALID_VALUE);
     if (values->empty()) return;
-    auto& table = c.pixel_maps.tables[map - GL_PIXEL_MAP_I_TO_I];
+    auto& table = context.pixel_maps.tables[map - GL_PIXEL_MAP_I_TO_I];
     table.clear();
     for (const double v : *values)
         table.push_back(float(holds_indices(map) ? finite(v) : clamped(v, 0.0, 1.0)));
 }
 
-void pixel_zoom(Context& c, GLfloat xfactor, GLfloat yfactor) {
-    c.state.pixel.zoom_x = float(finite(double(xfactor)));
-    c.state.pixel.zoom_y = float(finite(double(yfactor)));
+void pixel_zoom(Context& context, GLfloat xfactor, GLfloat yfactor) {
+    context.state.pixel.zoom_x = float(finite(double(xfactor)));
+    context.state.pixel.zoom_y = float(finite(double(yfactor)));
 }
 
 }  // namespace execute

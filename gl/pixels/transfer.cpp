@@ -30,19 +30,19 @@ float looked_up(const std::vector<float>& map, GLuint index) {
 }
 
 /// Shift and offset.
-GLuint transferred_index(const Context& c, double index) {
-    const PixelState& s = c.state.pixel;
+GLuint transferred_index(const Context& context, double index) {
+    const PixelState& s = context.state.pixel;
     const auto whole = static_cast<std::int64_t>(clamped(finite(index), -0x1p31, 0x1p32));
     const int shift = std::clamp(s.index_shift, -31, 31);
     const std::int64_t shifted = shift >= 0 ? whole << shift : whole >> -shift;
     return GLuint(shifted + s.index_offset);
 }
 
-vec4 color_of_index(const Context& c, GLuint index) {
-    return {clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_R], index)),
-            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_G], index)),
-            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_B], index)),
-            clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_I_TO_A], index))};
+vec4 color_of_index(const Context& context, GLuint index) {
+    return {clamp01f(looked_up(context.pixel_maps[GL_PIXEL_MAP_I_TO_R], index)),
+            clamp01f(looked_up(context.pixel_maps[GL_PIXEL_MAP_I_TO_G], index)),
+            clamp01f(looked_up(context.pixel_maps[GL_PIXEL_MAP_I_TO_B], index)),
+            clamp01f(looked_up(context.pixel_maps[GL_PIXEL_MAP_I_TO_A], index))};
 }
 
 /// [GL11] 3.6.4, "Conversion to RGB": the components of a format in their places.
@@ -103,11 +103,11 @@ void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
 }
 
 /// Calls `take(colour)` for each pixel, after transfer.
-void for_each_host_color(const Context& c, GLsizei width, GLsizei height, GLenum format,
+void for_each_host_color(const Context& context, GLsizei width, GLsizei height, GLenum format,
                          GLenum type, const HostImage& image, const auto& take) {
     for_each_pixel(width, height, format, type, image, [&](const std::array<double, 4>& v) {
-        take(format == GL_COLOR_INDEX ? color_of_index(c, transferred_index(c, v[0]))
-                                      : transferred_color(c, color_of(format, v)));
+        take(format == GL_COLOR_INDEX ? color_of_index(context, transferred_index(context, v[0]))
+                                      : transferred_color(context, color_of(format, v)));
     });
 }
 
@@ -115,17 +115,17 @@ void for_each_host_color(const Context& c, GLsizei width, GLsizei height, GLenum
 template <class T>
 using ByteTables = std::array<std::array<T, 256>, 4>;
 template <class T, class Value>
-ByteTables<T> byte_tables(const Context& c, Value value) {
+ByteTables<T> byte_tables(const Context& context, Value value) {
     ByteTables<T> tables;
     for (std::size_t byte = 0; byte < 256; ++byte) {
-        const vec4 color = transferred_color(c, vec4(float(unit(GLubyte(byte)))));
+        const vec4 color = transferred_color(context, vec4(float(unit(GLubyte(byte)))));
         for (std::size_t i = 0; i < 4; ++i) tables[i][byte] = value(color[int(i)]);
     }
     return tables;
 }
 template <class T>
-ByteTables<T> quantized_bytes(const Context& c, int bits) {
-    return byte_tables<T>(c, [&](float v) { return T(quantize(double(v), bits)); });
+ByteTables<T> quantized_bytes(const Context& context, int bits) {
+    return byte_tables<T>(context, [&](float v) { return T(quantize(double(v), bits)); });
 }
 
 /// Smaller images are transferred without tables.
@@ -148,41 +148,43 @@ bool leaves_colors(const PixelState& s) {
     return s.scale == vec4(1) && s.bias == vec4(0) && !s.map_color;
 }
 
-vec4 transferred_color(const Context& c, vec4 color) {
-    const PixelState& s = c.state.pixel;
+vec4 transferred_color(const Context& context, vec4 color) {
+    const PixelState& s = context.state.pixel;
     for (int i = 0; i < 4; ++i) color[i] = clamp01f(color[i] * s.scale[i] + s.bias[i]);
     if (!s.map_color) return color;
     for (int i = 0; i < 4; ++i)
-        color[i] = clamp01f(looked_up(c.pixel_maps[GL_PIXEL_MAP_R_TO_R + GLenum(i)], color[i]));
+        color[i] =
+            clamp01f(looked_up(context.pixel_maps[GL_PIXEL_MAP_R_TO_R + GLenum(i)], color[i]));
     return color;
 }
 
-double transferred_depth(const Context& c, double depth) {
-    const PixelState& s = c.state.pixel;
+double transferred_depth(const Context& context, double depth) {
+    const PixelState& s = context.state.pixel;
     return clamped(depth * double(s.depth_scale) + double(s.depth_bias), 0.0, 1.0);
 }
 
-GLuint transferred_stencil(const Context& c, double index) {
-    const GLuint out = transferred_index(c, index);
-    if (!c.state.pixel.map_stencil) return out;
-    return GLuint(looked_up(c.pixel_maps[GL_PIXEL_MAP_S_TO_S], out));
+GLuint transferred_stencil(const Context& context, double index) {
+    const GLuint out = transferred_index(context, index);
+    if (!context.state.pixel.map_stencil) return out;
+    return GLuint(looked_up(context.pixel_maps[GL_PIXEL_MAP_S_TO_S], out));
 }
 
-std::vector<Rgba> host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format,
+std::vector<Rgba> host_rgba(const Context& context, GLsizei width, GLsizei height, GLenum format,
                             GLenum type, const HostImage& image, int bits) {
     std::vector<Rgba> out(std::size_t(width) * std::size_t(height));
-    store_host_rgba(c, width, height, format, type, image, bits, out);
+    store_host_rgba(context, width, height, format, type, image, bits, out);
     return out;
 }
 
-void store_host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum format, GLenum type,
-                     const HostImage& image, int bits, std::span<Rgba> out) {
-    if (leaves_colors(c.state.pixel) && plain_colors(format, type, image.bytes, bits, out)) return;
+void store_host_rgba(const Context& context, GLsizei width, GLsizei height, GLenum format,
+                     GLenum type, const HostImage& image, int bits, std::span<Rgba> out) {
+    if (leaves_colors(context.state.pixel) && plain_colors(format, type, image.bytes, bits, out))
+        return;
     Rgba* to = out.data();
     if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || out.size() < fewest_pixels)
-        return for_each_host_color(c, width, height, format, type, image,
+        return for_each_host_color(context, width, height, format, type, image,
                                    [&](const vec4& color) { *to++ = quantize_color(color, bits); });
-    const auto tables = quantized_bytes<std::uint16_t>(c, bits);
+    const auto tables = quantized_bytes<std::uint16_t>(context, bits);
     const auto from = component_of_channel(format);
     const auto count = std::size_t(component_count(format));
     const std::byte* at = image.bytes.data();
@@ -198,9 +200,9 @@ void store_host_rgba(const Context& c, GLsizei width, GLsizei height, GLenum for
     }
 }
 
-std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32_t> pixels,
+std::vector<Rgba> transferred_rgba(const Context& context, std::span<const std::uint32_t> pixels,
                                    int bits) {
-    const auto tables = quantized_bytes<std::uint16_t>(c, bits);
+    const auto tables = quantized_bytes<std::uint16_t>(context, bits);
     std::vector<Rgba> out;
     out.reserve(pixels.size());
     for (const std::uint32_t p : pixels)
@@ -209,29 +211,29 @@ std::vector<Rgba> transferred_rgba(const Context& c, std::span<const std::uint32
     return out;
 }
 
-std::vector<double> host_depths(const Context& c, GLsizei width, GLsizei height, GLenum type,
+std::vector<double> host_depths(const Context& context, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image) {
     std::vector<double> out;
     for_each_pixel(width, height, GL_DEPTH_COMPONENT, type, image,
-                   [&](const auto& v) { out.push_back(transferred_depth(c, v[0])); });
+                   [&](const auto& v) { out.push_back(transferred_depth(context, v[0])); });
     return out;
 }
 
-std::vector<GLuint> host_stencils(const Context& c, GLsizei width, GLsizei height, GLenum type,
-                                  const HostImage& image) {
+std::vector<GLuint> host_stencils(const Context& context, GLsizei width, GLsizei height,
+                                  GLenum type, const HostImage& image) {
     std::vector<GLuint> out;
     for_each_pixel(width, height, GL_STENCIL_INDEX, type, image,
-                   [&](const auto& v) { out.push_back(transferred_stencil(c, v[0])); });
+                   [&](const auto& v) { out.push_back(transferred_stencil(context, v[0])); });
     return out;
 }
 
-DepthsAndStencils host_depths_and_stencils(const Context& c, GLsizei width, GLsizei height,
+DepthsAndStencils host_depths_and_stencils(const Context& context, GLsizei width, GLsizei height,
                                            const HostImage& image) {
     DepthsAndStencils out;
     for_each_pixel(width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, image,
                    [&](const auto& v) {
-                       out.depths.push_back(transferred_depth(c, v[0]));
-                       out.stencils.push_back(transferred_stencil(c, std::round(v[1] * 255)));
+                       out.depths.push_back(transferred_depth(context, v[0]));
+                       out.stencils.push_back(transferred_stencil(context, std::round(v[1] * 255)));
                    });
     return out;
 }
@@ -262,12 +264,12 @@ std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum for
     return out;
 }
 
-void pack_bytes(const Context& c, std::span<const std::uint32_t> pixels, GLenum format,
+void pack_bytes(const Context& context, std::span<const std::uint32_t> pixels, GLenum format,
                 std::byte* out) {
-    if (leaves_colors(c.state.pixel) && pack_words(pixels, format, out)) return;
+    if (leaves_colors(context.state.pixel) && pack_words(pixels, format, out)) return;
     const auto count = std::size_t(component_count(format));
     const std::array<double, 4> channels = components_of(format, {0, 1, 2, 3});
-    const auto tables = byte_tables<std::byte>(c, [](float v) {
+    const auto tables = byte_tables<std::byte>(context, [](float v) {
         std::byte byte;
         store_component(GL_UNSIGNED_BYTE, &byte, double(v), false);
         return byte;

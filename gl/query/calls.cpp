@@ -17,14 +17,14 @@ namespace gw::gl {
 namespace {
 
 template <class T>
-void get(Context& c, const std::optional<QueryValues>& values, T* params) {
-    if (!values) return set_error(c, GL_INVALID_ENUM);
+void get(Context& context, const std::optional<QueryValues>& values, T* params) {
+    if (!values) return set_error(context, GL_INVALID_ENUM);
     if (params != nullptr) store(*values, params);
 }
 
-std::optional<QueryValues> light_values(const Context& c, GLenum light, GLenum pname) {
+std::optional<QueryValues> light_values(const Context& context, GLenum light, GLenum pname) {
     if (light < GL_LIGHT0 || light >= GL_LIGHT0 + GLenum(light_count)) return std::nullopt;
-    const LightState& s = c.state.lighting.lights[light - GL_LIGHT0];
+    const LightState& s = context.state.lighting.lights[light - GL_LIGHT0];
     switch (pname) {
         case GL_AMBIENT: return units(s.ambient);
         case GL_DIFFUSE: return units(s.diffuse);
@@ -40,10 +40,10 @@ std::optional<QueryValues> light_values(const Context& c, GLenum light, GLenum p
     return std::nullopt;
 }
 
-std::optional<QueryValues> material_values(Context& c, GLenum face, GLenum pname) {
+std::optional<QueryValues> material_values(Context& context, GLenum face, GLenum pname) {
     if (face != GL_FRONT && face != GL_BACK) return std::nullopt;
-    track_color(c);
-    const MaterialState& s = c.state.lighting.material[face == GL_BACK ? 1 : 0];
+    track_color(context);
+    const MaterialState& s = context.state.lighting.material[face == GL_BACK ? 1 : 0];
     switch (pname) {
         case GL_AMBIENT: return units(s.ambient);
         case GL_DIFFUSE: return units(s.diffuse);
@@ -55,26 +55,27 @@ std::optional<QueryValues> material_values(Context& c, GLenum face, GLenum pname
     return std::nullopt;
 }
 
-std::optional<QueryValues> tex_env_values(const Context& c, GLenum target, GLenum pname) {
+std::optional<QueryValues> tex_env_values(const Context& context, GLenum target, GLenum pname) {
     if (target != GL_TEXTURE_ENV) return std::nullopt;
-    if (pname == GL_TEXTURE_ENV_MODE) return whole(c.state.texture.env_mode);
-    if (pname == GL_TEXTURE_ENV_COLOR) return units(c.state.texture.env_color);
+    if (pname == GL_TEXTURE_ENV_MODE) return whole(context.state.texture.env_mode);
+    if (pname == GL_TEXTURE_ENV_COLOR) return units(context.state.texture.env_color);
     return std::nullopt;
 }
 
-std::optional<QueryValues> tex_gen_values(const Context& c, GLenum coord, GLenum pname) {
+std::optional<QueryValues> tex_gen_values(const Context& context, GLenum coord, GLenum pname) {
     if (coord < GL_S || coord > GL_Q) return std::nullopt;
-    const TexGenState& s = c.state.texture.gen[coord - GL_S];
+    const TexGenState& s = context.state.texture.gen[coord - GL_S];
     if (pname == GL_TEXTURE_GEN_MODE) return whole(s.mode);
     if (pname == GL_OBJECT_PLANE) return numbers_of(s.object_plane);
     if (pname == GL_EYE_PLANE) return numbers_of(s.eye_plane);
     return std::nullopt;
 }
 
-std::optional<QueryValues> tex_parameter_values(const Context& c, GLenum target, GLenum pname) {
+std::optional<QueryValues> tex_parameter_values(const Context& context, GLenum target,
+                                                GLenum pname) {
     const auto index = target_index(target);
     if (!index) return std::nullopt;
-    const TextureParameters& s = c.textures.bound[*index]->parameters;
+    const TextureParameters& s = context.textures.bound[*index]->parameters;
     switch (pname) {
         case GL_TEXTURE_MIN_FILTER: return whole(s.min_filter);
         case GL_TEXTURE_MAG_FILTER: return whole(s.mag_filter);
@@ -88,7 +89,7 @@ std::optional<QueryValues> tex_parameter_values(const Context& c, GLenum target,
 }
 
 /// The bits that the machine keeps of a component that the format has.
-int component_bits(const Context& c, const TextureImage& image, GLenum pname) {
+int component_bits(const Context& context, const TextureImage& image, GLenum pname) {
     const GLenum base = image.width == 0 ? 0 : base_format(image.internal_format);
     const bool has_color = base == GL_RGB || base == GL_RGBA;
     const bool has_alpha = base == GL_RGBA || base == GL_ALPHA || base == GL_LUMINANCE_ALPHA;
@@ -97,19 +98,19 @@ int component_bits(const Context& c, const TextureImage& image, GLenum pname) {
                      : pname == GL_TEXTURE_LUMINANCE_SIZE ? has_luminance
                      : pname == GL_TEXTURE_INTENSITY_SIZE ? base == GL_INTENSITY
                                                           : has_color;
-    return has ? texel_bits(c.profile) : 0;
+    return has ? texel_bits(context.profile) : 0;
 }
 
-const TextureImage& level_image(const Context& c, GLenum target, GLint level) {
+const TextureImage& level_image(const Context& context, GLenum target, GLint level) {
     const bool is_proxy = target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D;
     const std::size_t index = target == GL_TEXTURE_2D || target == GL_PROXY_TEXTURE_2D ? 1 : 0;
     const auto at = std::size_t(level);
-    return is_proxy ? c.textures.proxy[index][at] : c.textures.bound[index]->levels[at];
+    return is_proxy ? context.textures.proxy[index][at] : context.textures.bound[index]->levels[at];
 }
 
-std::optional<QueryValues> tex_level_values(const Context& c, GLenum target, GLint level,
+std::optional<QueryValues> tex_level_values(const Context& context, GLenum target, GLint level,
                                             GLenum pname) {
-    const TextureImage& image = level_image(c, target, level);
+    const TextureImage& image = level_image(context, target, level);
     switch (pname) {
         case GL_TEXTURE_WIDTH: return whole(image.width);
         case GL_TEXTURE_HEIGHT: return whole(image.height);
@@ -120,18 +121,18 @@ std::optional<QueryValues> tex_level_values(const Context& c, GLenum target, GLi
         case GL_TEXTURE_BLUE_SIZE:
         case GL_TEXTURE_ALPHA_SIZE:
         case GL_TEXTURE_LUMINANCE_SIZE:
-        case GL_TEXTURE_INTENSITY_SIZE: return whole(component_bits(c, image, pname));
+        case GL_TEXTURE_INTENSITY_SIZE: return whole(component_bits(context, image, pname));
     }
     return std::nullopt;
 }
 
 template <class T>
-void get_tex_level(Context& c, GLenum target, GLint level, GLenum pname, T* params) {
+void get_tex_level(Context& context, GLenum target, GLint level, GLenum pname, T* params) {
     const bool known = target_index(target).has_value() || target == GL_PROXY_TEXTURE_1D ||
                        target == GL_PROXY_TEXTURE_2D;
-    if (!known) return set_error(c, GL_INVALID_ENUM);
-    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE);
-    get(c, tex_level_values(c, target, level, pname), params);
+    if (!known) return set_error(context, GL_INVALID_ENUM);
+    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    get(context, tex_level_values(context, target, level, pname), params);
 }
 
 /// [GL11] 6.1.4: the channels that the format has, the others 0, and alpha 1.
@@ -148,24 +149,24 @@ vec4 texel_color(const TextureImage& image, std::size_t i) {
 }
 
 template <class T>
-void get_pixel_map(Context& c, GLenum map, T* values) {
+void get_pixel_map(Context& context, GLenum map, T* values) {
     if (map < GL_PIXEL_MAP_I_TO_I || map > GL_PIXEL_MAP_A_TO_A)
-        return set_error(c, GL_INVALID_ENUM);
+        return set_error(context, GL_INVALID_ENUM);
     const bool is_index = map == GL_PIXEL_MAP_I_TO_I || map == GL_PIXEL_MAP_S_TO_S;
     const GLenum type = std::is_same_v<T, GLfloat>    ? GL_FLOAT
                         : std::is_same_v<T, GLushort> ? GL_UNSIGNED_SHORT
                                                       : GL_UNSIGNED_INT;
-    for (const float v : c.pixel_maps[map])
+    for (const float v : context.pixel_maps[map])
         store_component(type, reinterpret_cast<std::byte*>(values++), double(v), is_index);
 }
 
 template <class T>
-void get_map(Context& c, GLenum target, GLenum query, T* v) {
+void get_map(Context& context, GLenum target, GLenum query, T* v) {
     const int size = map_size(target);
-    if (size == 0) return set_error(c, GL_INVALID_ENUM);
+    if (size == 0) return set_error(context, GL_INVALID_ENUM);
     const bool two = target >= GL_MAP2_COLOR_4;
-    const Map1& m1 = c.evaluators.map1[two ? 0 : target - GL_MAP1_COLOR_4];
-    const Map2& m2 = c.evaluators.map2[two ? target - GL_MAP2_COLOR_4 : 0];
+    const Map1& m1 = context.evaluators.map1[two ? 0 : target - GL_MAP1_COLOR_4];
+    const Map2& m2 = context.evaluators.map2[two ? target - GL_MAP2_COLOR_4 : 0];
     std::vector<double> out;
     switch (query) {
         case GL_COEFF: out = two ? m2.points : m1.points; break;
@@ -177,7 +178,7 @@ void get_map(Context& c, GLenum target, GLenum query, T* v) {
             out = two ? std::vector<double>{m2.u1, m2.u2, m2.v1, m2.v2}
                       : std::vector<double>{m1.u1, m1.u2};
             break;
-        default: return set_error(c, GL_INVALID_ENUM);
+        default: return set_error(context, GL_INVALID_ENUM);
     }
     for (const double value : out) store(number(value), v++);
 }
@@ -186,82 +187,83 @@ void get_map(Context& c, GLenum target, GLenum query, T* v) {
 
 namespace execute {
 
-void get_booleanv(Context& c, GLenum pname, GLboolean* params) {
-    get(c, state_variable(c, pname), params);
+void get_booleanv(Context& context, GLenum pname, GLboolean* params) {
+    get(context, state_variable(context, pname), params);
 }
-void get_integerv(Context& c, GLenum pname, GLint* params) {
-    get(c, state_variable(c, pname), params);
+void get_integerv(Context& context, GLenum pname, GLint* params) {
+    get(context, state_variable(context, pname), params);
 }
-void get_floatv(Context& c, GLenum pname, GLfloat* params) {
-    get(c, state_variable(c, pname), params);
+void get_floatv(Context& context, GLenum pname, GLfloat* params) {
+    get(context, state_variable(context, pname), params);
 }
-void get_doublev(Context& c, GLenum pname, GLdouble* params) {
-    get(c, state_variable(c, pname), params);
+void get_doublev(Context& context, GLenum pname, GLdouble* params) {
+    get(context, state_variable(context, pname), params);
 }
 
-GLenum get_error(Context& c) { return std::exchange(c.error, GLenum(GL_NO_ERROR)); }
+GLenum get_error(Context& context) { return std::exchange(context.error, GLenum(GL_NO_ERROR)); }
 
-const GLubyte* get_string(Context& c, GLenum name) {
-    const char* const text = implementation_string(c.profile, name);
-    if (text == nullptr) set_error(c, GL_INVALID_ENUM);
+const GLubyte* get_string(Context& context, GLenum name) {
+    const char* const text = implementation_string(context.profile, name);
+    if (text == nullptr) set_error(context, GL_INVALID_ENUM);
     return reinterpret_cast<const GLubyte*>(text);
 }
 
-void get_clip_plane(Context& c, GLenum plane, GLdouble* equation) {
-    if (plane < GL_CLIP_PLANE0 || plane > GL_CLIP_PLANE5) return set_error(c, GL_INVALID_ENUM);
-    get(c, numbers_of(c.state.transform.clip_plane[plane - GL_CLIP_PLANE0]), equation);
+void get_clip_plane(Context& context, GLenum plane, GLdouble* equation) {
+    if (plane < GL_CLIP_PLANE0 || plane > GL_CLIP_PLANE5)
+        return set_error(context, GL_INVALID_ENUM);
+    get(context, numbers_of(context.state.transform.clip_plane[plane - GL_CLIP_PLANE0]), equation);
 }
 
-void get_lightfv(Context& c, GLenum light, GLenum pname, GLfloat* params) {
-    get(c, light_values(c, light, pname), params);
+void get_lightfv(Context& context, GLenum light, GLenum pname, GLfloat* params) {
+    get(context, light_values(context, light, pname), params);
 }
-void get_lightiv(Context& c, GLenum light, GLenum pname, GLint* params) {
-    get(c, light_values(c, light, pname), params);
+void get_lightiv(Context& context, GLenum light, GLenum pname, GLint* params) {
+    get(context, light_values(context, light, pname), params);
 }
-void get_materialfv(Context& c, GLenum face, GLenum pname, GLfloat* params) {
-    get(c, material_values(c, face, pname), params);
+void get_materialfv(Context& context, GLenum face, GLenum pname, GLfloat* params) {
+    get(context, material_values(context, face, pname), params);
 }
-void get_materialiv(Context& c, GLenum face, GLenum pname, GLint* params) {
-    get(c, material_values(c, face, pname), params);
+void get_materialiv(Context& context, GLenum face, GLenum pname, GLint* params) {
+    get(context, material_values(context, face, pname), params);
 }
-void get_tex_envfv(Context& c, GLenum target, GLenum pname, GLfloat* params) {
-    get(c, tex_env_values(c, target, pname), params);
+void get_tex_envfv(Context& context, GLenum target, GLenum pname, GLfloat* params) {
+    get(context, tex_env_values(context, target, pname), params);
 }
-void get_tex_enviv(Context& c, GLenum target, GLenum pname, GLint* params) {
-    get(c, tex_env_values(c, target, pname), params);
+void get_tex_enviv(Context& context, GLenum target, GLenum pname, GLint* params) {
+    get(context, tex_env_values(context, target, pname), params);
 }
-void get_tex_gendv(Context& c, GLenum coord, GLenum pname, GLdouble* params) {
-    get(c, tex_gen_values(c, coord, pname), params);
+void get_tex_gendv(Context& context, GLenum coord, GLenum pname, GLdouble* params) {
+    get(context, tex_gen_values(context, coord, pname), params);
 }
-void get_tex_genfv(Context& c, GLenum coord, GLenum pname, GLfloat* params) {
-    get(c, tex_gen_values(c, coord, pname), params);
+void get_tex_genfv(Context& context, GLenum coord, GLenum pname, GLfloat* params) {
+    get(context, tex_gen_values(context, coord, pname), params);
 }
-void get_tex_geniv(Context& c, GLenum coord, GLenum pname, GLint* params) {
-    get(c, tex_gen_values(c, coord, pname), params);
+void get_tex_geniv(Context& context, GLenum coord, GLenum pname, GLint* params) {
+    get(context, tex_gen_values(context, coord, pname), params);
 }
-void get_tex_parameterfv(Context& c, GLenum target, GLenum pname, GLfloat* params) {
-    get(c, tex_parameter_values(c, target, pname), params);
+void get_tex_parameterfv(Context& context, GLenum target, GLenum pname, GLfloat* params) {
+    get(context, tex_parameter_values(context, target, pname), params);
 }
-void get_tex_parameteriv(Context& c, GLenum target, GLenum pname, GLint* params) {
-    get(c, tex_parameter_values(c, target, pname), params);
+void get_tex_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params) {
+    get(context, tex_parameter_values(context, target, pname), params);
 }
-void get_tex_level_parameterfv(Context& c, GLenum target, GLint level, GLenum pname,
+void get_tex_level_parameterfv(Context& context, GLenum target, GLint level, GLenum pname,
                                GLfloat* params) {
-    get_tex_level(c, target, level, pname, params);
+    get_tex_level(context, target, level, pname, params);
 }
-void get_tex_level_parameteriv(Context& c, GLenum target, GLint level, GLenum pname,
+void get_tex_level_parameteriv(Context& context, GLenum target, GLint level, GLenum pname,
                                GLint* params) {
-    get_tex_level(c, target, level, pname, params);
+    get_tex_level(context, target, level, pname, params);
 }
 
-void get_tex_image(Context& c, GLenum target, GLint level, GLenum format, GLenum type,
+void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, GLenum type,
                    GLvoid* pixels) {
     const auto index = target_index(target);
     if (!index || !is_texel_format(format) || format == GL_COLOR_INDEX)
-        return set_error(c, GL_INVALID_ENUM);
-    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE);
-    if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    const TextureImage& image = c.textures.bound[*index]->levels[std::size_t(level)];
+        return set_error(context, GL_INVALID_ENUM);
+    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    if (const GLenum error = format_error(format, type)) return set_error(context, error);
+    const TextureImage& image = context.textures.bound[*index]->levels[std::size_t(level)];
     if (image.width == 0 || pixels == nullptr) return;
     // [GL11] 6.1.4: no pixel transfer. Luminance is R, not the sum that ReadPixels makes.
     const bool is_luminance = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
@@ -272,35 +274,43 @@ void get_tex_image(Context& c, GLenum target, GLint level, GLenum format, GLenum
         const vec4 texel = texel_color(image, i);
         colors.push_back(is_luminance ? vec4{texel.x, 0, 0, texel.w} : texel);
     }
-    copy_to_memory(pixels, c.client.pack, image.width, image.height, format, type,
+    copy_to_memory(pixels, context.client.pack, image.width, image.height, format, type,
                    packed_colors(colors, format, type));
 }
 
-void get_pixel_mapfv(Context& c, GLenum map, GLfloat* values) { get_pixel_map(c, map, values); }
-void get_pixel_mapuiv(Context& c, GLenum map, GLuint* values) { get_pixel_map(c, map, values); }
-void get_pixel_mapusv(Context& c, GLenum map, GLushort* values) { get_pixel_map(c, map, values); }
-
-void get_mapdv(Context& c, GLenum target, GLenum query, GLdouble* v) {
-    get_map(c, target, query, v);
+void get_pixel_mapfv(Context& context, GLenum map, GLfloat* values) {
+    get_pixel_map(context, map, values);
 }
-void get_mapfv(Context& c, GLenum target, GLenum query, GLfloat* v) {
-    get_map(c, target, query, v);
+void get_pixel_mapuiv(Context& context, GLenum map, GLuint* values) {
+    get_pixel_map(context, map, values);
 }
-void get_mapiv(Context& c, GLenum target, GLenum query, GLint* v) { get_map(c, target, query, v); }
+void get_pixel_mapusv(Context& context, GLenum map, GLushort* values) {
+    get_pixel_map(context, map, values);
+}
 
-void get_polygon_stipple(Context& c, GLubyte* mask) {
+void get_mapdv(Context& context, GLenum target, GLenum query, GLdouble* v) {
+    get_map(context, target, query, v);
+}
+void get_mapfv(Context& context, GLenum target, GLenum query, GLfloat* v) {
+    get_map(context, target, query, v);
+}
+void get_mapiv(Context& context, GLenum target, GLenum query, GLint* v) {
+    get_map(context, target, query, v);
+}
+
+void get_polygon_stipple(Context& context, GLubyte* mask) {
     if (mask == nullptr) return;
     std::array<std::byte, 128> rows;
     rows.fill(std::byte{0xFF});
-    if (const auto& pattern = c.state.polygon_stipple.pattern)
+    if (const auto& pattern = context.state.polygon_stipple.pattern)
         for (std::size_t i = 0; i < rows.size(); ++i)
             rows[i] = std::byte((*pattern)[i / 4] >> (24 - 8 * (i % 4)) & 0xFF);
-    copy_to_memory(mask, c.client.pack, 32, 32, GL_COLOR_INDEX, GL_BITMAP, rows);
+    copy_to_memory(mask, context.client.pack, 32, 32, GL_COLOR_INDEX, GL_BITMAP, rows);
 }
 
-void get_pointerv(Context& c, GLenum pname, GLvoid** params) {
+void get_pointerv(Context& context, GLenum pname, GLvoid** params) {
     const auto pointer = [&](Array a) {
-        *params = const_cast<unsigned char*>(c.client.array(a).pointer);
+        *params = const_cast<unsigned char*>(context.client.array(a).pointer);
     };
     if (params == nullptr) return;
     switch (pname) {
@@ -310,10 +320,10 @@ void get_pointerv(Context& c, GLenum pname, GLvoid** params) {
         case GL_INDEX_ARRAY_POINTER: return pointer(Array::Index);
         case GL_TEXTURE_COORD_ARRAY_POINTER: return pointer(Array::TexCoord);
         case GL_EDGE_FLAG_ARRAY_POINTER: return pointer(Array::EdgeFlag);
-        case GL_SELECTION_BUFFER_POINTER: *params = c.selection.hits; return;
-        case GL_FEEDBACK_BUFFER_POINTER: *params = c.selection.feedback; return;
+        case GL_SELECTION_BUFFER_POINTER: *params = context.selection.hits; return;
+        case GL_FEEDBACK_BUFFER_POINTER: *params = context.selection.feedback; return;
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
 }  // namespace execute

@@ -16,8 +16,8 @@ GLuint depth_word(double depth) {
 }
 
 /// Writes a hit record if the names had a hit since the last one.
-void end_hit(Context& c) {
-    Selection& s = c.selection;
+void end_hit(Context& context) {
+    Selection& s = context.selection;
     if (!s.hit) return;
     s.hit = false;
     ++s.hit_count;
@@ -34,16 +34,16 @@ void end_hit(Context& c) {
 }
 
 /// Ends the hits of the names so far, before they change.
-void begin_name_change(Context& c) {
-    flush_mesh(c);
-    end_hit(c);
+void begin_name_change(Context& context) {
+    flush_mesh(context);
+    end_hit(context);
 }
 
 /// The result of a mode that ends.
-GLint mode_result(Context& c) {
-    Selection& s = c.selection;
+GLint mode_result(Context& context) {
+    Selection& s = context.selection;
     if (s.mode == GL_SELECT) {
-        end_hit(c);
+        end_hit(context);
         return s.overflow ? -1 : s.hit_count;
     }
     if (s.mode == GL_FEEDBACK) return s.overflow ? -1 : s.feedback_used;
@@ -58,41 +58,42 @@ namespace execute {
 
 // Outside of selection, names are ignored. A call that is an error writes no hit record.
 
-void init_names(Context& c) {
-    if (c.selection.mode != GL_SELECT) return;
-    begin_name_change(c);
-    c.selection.names.clear();
+void init_names(Context& context) {
+    if (context.selection.mode != GL_SELECT) return;
+    begin_name_change(context);
+    context.selection.names.clear();
 }
 
-void load_name(Context& c, GLuint name) {
-    if (c.selection.mode != GL_SELECT) return;
-    if (c.selection.names.empty()) return set_error(c, GL_INVALID_OPERATION);
-    begin_name_change(c);
-    c.selection.names.back() = name;
+void load_name(Context& context, GLuint name) {
+    if (context.selection.mode != GL_SELECT) return;
+    if (context.selection.names.empty()) return set_error(context, GL_INVALID_OPERATION);
+    begin_name_change(context);
+    context.selection.names.back() = name;
 }
 
-void push_name(Context& c, GLuint name) {
-    if (c.selection.mode != GL_SELECT) return;
-    if (c.selection.names.size() >= name_stack_depth) return set_error(c, GL_STACK_OVERFLOW);
-    begin_name_change(c);
-    c.selection.names.push_back(name);
+void push_name(Context& context, GLuint name) {
+    if (context.selection.mode != GL_SELECT) return;
+    if (context.selection.names.size() >= name_stack_depth)
+        return set_error(context, GL_STACK_OVERFLOW);
+    begin_name_change(context);
+    context.selection.names.push_back(name);
 }
 
-void pop_name(Context& c) {
-    if (c.selection.mode != GL_SELECT) return;
-    if (c.selection.names.empty()) return set_error(c, GL_STACK_UNDERFLOW);
-    begin_name_change(c);
-    c.selection.names.pop_back();
+void pop_name(Context& context) {
+    if (context.selection.mode != GL_SELECT) return;
+    if (context.selection.names.empty()) return set_error(context, GL_STACK_UNDERFLOW);
+    begin_name_change(context);
+    context.selection.names.pop_back();
 }
 
-GLint render_mode(Context& c, GLenum mode) {
-    Selection& s = c.selection;
+GLint render_mode(Context& context, GLenum mode) {
+    Selection& s = context.selection;
     if (mode != GL_RENDER && mode != GL_SELECT && mode != GL_FEEDBACK)
-        return set_error(c, GL_INVALID_ENUM), 0;
+        return set_error(context, GL_INVALID_ENUM), 0;
     if ((mode == GL_SELECT && !s.has_hits) || (mode == GL_FEEDBACK && !s.has_feedback))
-        return set_error(c, GL_INVALID_OPERATION), 0;
-    flush_mesh(c);
-    const GLint result = mode_result(c);
+        return set_error(context, GL_INVALID_OPERATION), 0;
+    flush_mesh(context);
+    const GLint result = mode_result(context);
     s.mode = mode;
     s.hits_used = s.hit_count = s.feedback_used = 0;
     s.hit = s.overflow = false;
@@ -100,28 +101,28 @@ GLint render_mode(Context& c, GLenum mode) {
     return result;
 }
 
-void select_buffer(Context& c, GLsizei size, GLuint* buffer) {
-    if (size < 0) return set_error(c, GL_INVALID_VALUE);
-    if (c.selection.mode == GL_SELECT) return set_error(c, GL_INVALID_OPERATION);
-    c.selection.has_hits = true;
-    c.selection.hits = buffer;
-    c.selection.hits_size = buffer != nullptr ? size : 0;
+void select_buffer(Context& context, GLsizei size, GLuint* buffer) {
+    if (size < 0) return set_error(context, GL_INVALID_VALUE);
+    if (context.selection.mode == GL_SELECT) return set_error(context, GL_INVALID_OPERATION);
+    context.selection.has_hits = true;
+    context.selection.hits = buffer;
+    context.selection.hits_size = buffer != nullptr ? size : 0;
 }
 
-void feedback_buffer(Context& c, GLsizei size, GLenum type, GLfloat* buffer) {
-    if (size < 0 || (buffer == nullptr && size > 0)) return set_error(c, GL_INVALID_VALUE);
-    if (!is_feedback_type(type)) return set_error(c, GL_INVALID_ENUM);
-    if (c.selection.mode == GL_FEEDBACK) return set_error(c, GL_INVALID_OPERATION);
-    c.selection.has_feedback = true;
-    c.selection.feedback = buffer;
-    c.selection.feedback_size = size;
-    c.selection.feedback_type = type;
+void feedback_buffer(Context& context, GLsizei size, GLenum type, GLfloat* buffer) {
+    if (size < 0 || (buffer == nullptr && size > 0)) return set_error(context, GL_INVALID_VALUE);
+    if (!is_feedback_type(type)) return set_error(context, GL_INVALID_ENUM);
+    if (context.selection.mode == GL_FEEDBACK) return set_error(context, GL_INVALID_OPERATION);
+    context.selection.has_feedback = true;
+    context.selection.feedback = buffer;
+    context.selection.feedback_size = size;
+    context.selection.feedback_type = type;
 }
 
-void pass_through(Context& c, GLfloat token) {
-    Selection& s = c.selection;
+void pass_through(Context& context, GLfloat token) {
+    Selection& s = context.selection;
     if (s.mode != GL_FEEDBACK) return;
-    flush_mesh(c);
+    flush_mesh(context);
     for (const float value : {float(GL_PASS_THROUGH_TOKEN), token}) {
         if (s.feedback_used < s.feedback_size)
             s.feedback[s.feedback_used++] = value;

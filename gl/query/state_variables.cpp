@@ -16,32 +16,40 @@ using Getter = QueryValues (*)(Context&);
 using Table = std::map<GLenum, Getter>;
 
 void add_current(Table& t) {
-    t[GL_CURRENT_COLOR] = [](Context& c) { return units(c.state.current.color); };
-    t[GL_CURRENT_INDEX] = [](Context& c) { return number(c.state.current.index); };
-    t[GL_CURRENT_NORMAL] = [](Context& c) { return units(c.state.current.normal); };
-    t[GL_CURRENT_TEXTURE_COORDS] = [](Context& c) { return numbers_of(c.state.current.texcoord); };
-    t[GL_CURRENT_RASTER_POSITION] = [](Context& c) {
-        return numbers_of(c.state.current.raster.position);
+    t[GL_CURRENT_COLOR] = [](Context& context) { return units(context.state.current.color); };
+    t[GL_CURRENT_INDEX] = [](Context& context) { return number(context.state.current.index); };
+    t[GL_CURRENT_NORMAL] = [](Context& context) { return units(context.state.current.normal); };
+    t[GL_CURRENT_TEXTURE_COORDS] = [](Context& context) {
+        return numbers_of(context.state.current.texcoord);
     };
-    t[GL_CURRENT_RASTER_DISTANCE] = [](Context& c) {
-        return number(c.state.current.raster.distance);
+    t[GL_CURRENT_RASTER_POSITION] = [](Context& context) {
+        return numbers_of(context.state.current.raster.position);
     };
-    t[GL_CURRENT_RASTER_COLOR] = [](Context& c) { return units(c.state.current.raster.color); };
-    t[GL_CURRENT_RASTER_INDEX] = [](Context& c) { return number(c.state.current.raster.index); };
-    t[GL_CURRENT_RASTER_TEXTURE_COORDS] = [](Context& c) {
-        return numbers_of(c.state.current.raster.texcoord);
+    t[GL_CURRENT_RASTER_DISTANCE] = [](Context& context) {
+        return number(context.state.current.raster.distance);
     };
-    t[GL_CURRENT_RASTER_POSITION_VALID] = [](Context& c) {
-        return whole(c.state.current.raster.valid);
+    t[GL_CURRENT_RASTER_COLOR] = [](Context& context) {
+        return units(context.state.current.raster.color);
     };
-    t[GL_EDGE_FLAG] = [](Context& c) { return whole(c.state.current.edge_flag); };
+    t[GL_CURRENT_RASTER_INDEX] = [](Context& context) {
+        return number(context.state.current.raster.index);
+    };
+    t[GL_CURRENT_RASTER_TEXTURE_COORDS] = [](Context& context) {
+        return numbers_of(context.state.current.raster.texcoord);
+    };
+    t[GL_CURRENT_RASTER_POSITION_VALID] = [](Context& context) {
+        return whole(context.state.current.raster.valid);
+    };
+    t[GL_EDGE_FLAG] = [](Context& context) { return whole(context.state.current.edge_flag); };
 }
 
 template <Array array>
 void add_array(Table& t, GLenum size, GLenum type, GLenum stride) {
-    if (size != 0) t[size] = [](Context& c) { return whole(c.client.array(array).size); };
-    if (type != 0) t[type] = [](Context& c) { return whole(c.client.array(array).type); };
-    t[stride] = [](Context& c) { return whole(c.client.array(array).stride); };
+    if (size != 0)
+        t[size] = [](Context& context) { return whole(context.client.array(array).size); };
+    if (type != 0)
+        t[type] = [](Context& context) { return whole(context.client.array(array).type); };
+    t[stride] = [](Context& context) { return whole(context.client.array(array).stride); };
 }
 
 void add_arrays(Table& t) {
@@ -55,162 +63,218 @@ void add_arrays(Table& t) {
 }
 
 void add_transform(Table& t) {
-    t[GL_MODELVIEW_MATRIX] = [](Context& c) { return numbers_of(c.matrices.modelview.top()); };
-    t[GL_PROJECTION_MATRIX] = [](Context& c) { return numbers_of(c.matrices.projection.top()); };
-    t[GL_TEXTURE_MATRIX] = [](Context& c) { return numbers_of(c.matrices.texture.top()); };
-    t[GL_MODELVIEW_STACK_DEPTH] = [](Context& c) {
-        return whole(c.matrices.modelview.entries.size());
+    t[GL_MODELVIEW_MATRIX] = [](Context& context) {
+        return numbers_of(context.matrices.modelview.top());
     };
-    t[GL_PROJECTION_STACK_DEPTH] = [](Context& c) {
-        return whole(c.matrices.projection.entries.size());
+    t[GL_PROJECTION_MATRIX] = [](Context& context) {
+        return numbers_of(context.matrices.projection.top());
     };
-    t[GL_TEXTURE_STACK_DEPTH] = [](Context& c) { return whole(c.matrices.texture.entries.size()); };
-    t[GL_MATRIX_MODE] = [](Context& c) { return whole(c.state.transform.matrix_mode); };
-    t[GL_VIEWPORT] = [](Context& c) {
-        const ViewportState& v = c.state.viewport;
+    t[GL_TEXTURE_MATRIX] = [](Context& context) {
+        return numbers_of(context.matrices.texture.top());
+    };
+    t[GL_MODELVIEW_STACK_DEPTH] = [](Context& context) {
+        return whole(context.matrices.modelview.entries.size());
+    };
+    t[GL_PROJECTION_STACK_DEPTH] = [](Context& context) {
+        return whole(context.matrices.projection.entries.size());
+    };
+    t[GL_TEXTURE_STACK_DEPTH] = [](Context& context) {
+        return whole(context.matrices.texture.entries.size());
+    };
+    t[GL_MATRIX_MODE] = [](Context& context) { return whole(context.state.transform.matrix_mode); };
+    t[GL_VIEWPORT] = [](Context& context) {
+        const ViewportState& v = context.state.viewport;
         return wholes({v.x, v.y, v.width, v.height});
     };
-    t[GL_DEPTH_RANGE] = [](Context& c) {
-        QueryValues out = unit_value(c.state.viewport.near_value);
-        out.add(c.state.viewport.far_value);
+    t[GL_DEPTH_RANGE] = [](Context& context) {
+        QueryValues out = unit_value(context.state.viewport.near_value);
+        out.add(context.state.viewport.far_value);
         return out;
     };
 }
 
 void add_lighting(Table& t) {
-    t[GL_FOG_COLOR] = [](Context& c) { return units(c.state.fog.color); };
-    t[GL_FOG_INDEX] = [](Context& c) { return number(c.state.fog.index); };
-    t[GL_FOG_DENSITY] = [](Context& c) { return number(c.state.fog.density); };
-    t[GL_FOG_START] = [](Context& c) { return number(c.state.fog.start); };
-    t[GL_FOG_END] = [](Context& c) { return number(c.state.fog.end); };
-    t[GL_FOG_MODE] = [](Context& c) { return whole(c.state.fog.mode); };
-    t[GL_SHADE_MODEL] = [](Context& c) { return whole(c.state.lighting.shade_model); };
-    t[GL_COLOR_MATERIAL_PARAMETER] = [](Context& c) {
-        return whole(c.state.lighting.color_material_mode);
+    t[GL_FOG_COLOR] = [](Context& context) { return units(context.state.fog.color); };
+    t[GL_FOG_INDEX] = [](Context& context) { return number(context.state.fog.index); };
+    t[GL_FOG_DENSITY] = [](Context& context) { return number(context.state.fog.density); };
+    t[GL_FOG_START] = [](Context& context) { return number(context.state.fog.start); };
+    t[GL_FOG_END] = [](Context& context) { return number(context.state.fog.end); };
+    t[GL_FOG_MODE] = [](Context& context) { return whole(context.state.fog.mode); };
+    t[GL_SHADE_MODEL] = [](Context& context) { return whole(context.state.lighting.shade_model); };
+    t[GL_COLOR_MATERIAL_PARAMETER] = [](Context& context) {
+        return whole(context.state.lighting.color_material_mode);
     };
-    t[GL_COLOR_MATERIAL_FACE] = [](Context& c) {
-        return whole(c.state.lighting.color_material_face);
+    t[GL_COLOR_MATERIAL_FACE] = [](Context& context) {
+        return whole(context.state.lighting.color_material_face);
     };
-    t[GL_LIGHT_MODEL_AMBIENT] = [](Context& c) { return units(c.state.lighting.model_ambient); };
-    t[GL_LIGHT_MODEL_LOCAL_VIEWER] = [](Context& c) {
-        return whole(c.state.lighting.local_viewer);
+    t[GL_LIGHT_MODEL_AMBIENT] = [](Context& context) {
+        return units(context.state.lighting.model_ambient);
     };
-    t[GL_LIGHT_MODEL_TWO_SIDE] = [](Context& c) { return whole(c.state.lighting.two_side); };
+    t[GL_LIGHT_MODEL_LOCAL_VIEWER] = [](Context& context) {
+        return whole(context.state.lighting.local_viewer);
+    };
+    t[GL_LIGHT_MODEL_TWO_SIDE] = [](Context& context) {
+        return whole(context.state.lighting.two_side);
+    };
 }
 
 void add_rasterization(Table& t) {
-    t[GL_POINT_SIZE] = [](Context& c) { return number(c.state.point.size); };
-    t[GL_LINE_WIDTH] = [](Context& c) { return number(c.state.line.width); };
-    t[GL_LINE_STIPPLE_PATTERN] = [](Context& c) { return whole(c.state.line.stipple_pattern); };
-    t[GL_LINE_STIPPLE_REPEAT] = [](Context& c) { return whole(c.state.line.stipple_factor); };
-    t[GL_CULL_FACE_MODE] = [](Context& c) { return whole(c.state.polygon.cull_face); };
-    t[GL_FRONT_FACE] = [](Context& c) { return whole(c.state.polygon.front_face); };
-    t[GL_POLYGON_MODE] = [](Context& c) {
-        return wholes(c.state.polygon.front_mode, c.state.polygon.back_mode);
+    t[GL_POINT_SIZE] = [](Context& context) { return number(context.state.point.size); };
+    t[GL_LINE_WIDTH] = [](Context& context) { return number(context.state.line.width); };
+    t[GL_LINE_STIPPLE_PATTERN] = [](Context& context) {
+        return whole(context.state.line.stipple_pattern);
     };
-    t[GL_POLYGON_OFFSET_FACTOR] = [](Context& c) { return number(c.state.polygon.offset_factor); };
-    t[GL_POLYGON_OFFSET_UNITS] = [](Context& c) { return number(c.state.polygon.offset_units); };
+    t[GL_LINE_STIPPLE_REPEAT] = [](Context& context) {
+        return whole(context.state.line.stipple_factor);
+    };
+    t[GL_CULL_FACE_MODE] = [](Context& context) { return whole(context.state.polygon.cull_face); };
+    t[GL_FRONT_FACE] = [](Context& context) { return whole(context.state.polygon.front_face); };
+    t[GL_POLYGON_MODE] = [](Context& context) {
+        return wholes(context.state.polygon.front_mode, context.state.polygon.back_mode);
+    };
+    t[GL_POLYGON_OFFSET_FACTOR] = [](Context& context) {
+        return number(context.state.polygon.offset_factor);
+    };
+    t[GL_POLYGON_OFFSET_UNITS] = [](Context& context) {
+        return number(context.state.polygon.offset_units);
+    };
 }
 
 void add_texture(Table& t) {
-    t[GL_TEXTURE_BINDING_1D] = [](Context& c) { return whole(c.state.texture.bound[0]); };
-    t[GL_TEXTURE_BINDING_2D] = [](Context& c) { return whole(c.state.texture.bound[1]); };
+    t[GL_TEXTURE_BINDING_1D] = [](Context& context) {
+        return whole(context.state.texture.bound[0]);
+    };
+    t[GL_TEXTURE_BINDING_2D] = [](Context& context) {
+        return whole(context.state.texture.bound[1]);
+    };
 }
 
 void add_fragments(Table& t) {
-    t[GL_SCISSOR_BOX] = [](Context& c) { return wholes(c.state.scissor.box); };
-    t[GL_ALPHA_TEST_FUNC] = [](Context& c) { return whole(c.state.color_buffer.alpha_func); };
-    t[GL_ALPHA_TEST_REF] = [](Context& c) { return unit_value(c.state.color_buffer.alpha_ref); };
-    t[GL_STENCIL_FUNC] = [](Context& c) { return whole(c.state.stencil.func); };
-    t[GL_STENCIL_VALUE_MASK] = [](Context& c) { return whole(c.state.stencil.mask); };
-    t[GL_STENCIL_REF] = [](Context& c) { return whole(c.state.stencil.ref); };
-    t[GL_STENCIL_FAIL] = [](Context& c) { return whole(c.state.stencil.fail); };
-    t[GL_STENCIL_PASS_DEPTH_FAIL] = [](Context& c) { return whole(c.state.stencil.zfail); };
-    t[GL_STENCIL_PASS_DEPTH_PASS] = [](Context& c) { return whole(c.state.stencil.zpass); };
-    t[GL_DEPTH_FUNC] = [](Context& c) { return whole(c.state.depth.func); };
-    t[GL_BLEND_SRC] = [](Context& c) { return whole(c.state.color_buffer.blend_src); };
-    t[GL_BLEND_DST] = [](Context& c) { return whole(c.state.color_buffer.blend_dst); };
-    t[GL_BLEND_EQUATION] = [](Context& c) { return whole(c.state.color_buffer.blend_equation); };
-    t[GL_BLEND_COLOR] = [](Context& c) { return units(c.state.color_buffer.blend_color); };
-    t[GL_LOGIC_OP_MODE] = [](Context& c) { return whole(c.state.color_buffer.logic_op_mode); };
-    t[GL_DRAW_BUFFER] = [](Context& c) { return whole(c.state.color_buffer.draw_buffer); };
-    t[GL_READ_BUFFER] = [](Context& c) { return whole(c.state.pixel.read_buffer); };
-    t[GL_INDEX_WRITEMASK] = [](Context& c) { return whole(c.state.color_buffer.index_mask); };
-    t[GL_COLOR_WRITEMASK] = [](Context& c) {
-        const auto& mask = c.state.color_buffer.mask;
+    t[GL_SCISSOR_BOX] = [](Context& context) { return wholes(context.state.scissor.box); };
+    t[GL_ALPHA_TEST_FUNC] = [](Context& context) {
+        return whole(context.state.color_buffer.alpha_func);
+    };
+    t[GL_ALPHA_TEST_REF] = [](Context& context) {
+        return unit_value(context.state.color_buffer.alpha_ref);
+    };
+    t[GL_STENCIL_FUNC] = [](Context& context) { return whole(context.state.stencil.func); };
+    t[GL_STENCIL_VALUE_MASK] = [](Context& context) { return whole(context.state.stencil.mask); };
+    t[GL_STENCIL_REF] = [](Context& context) { return whole(context.state.stencil.ref); };
+    t[GL_STENCIL_FAIL] = [](Context& context) { return whole(context.state.stencil.fail); };
+    t[GL_STENCIL_PASS_DEPTH_FAIL] = [](Context& context) {
+        return whole(context.state.stencil.zfail);
+    };
+    t[GL_STENCIL_PASS_DEPTH_PASS] = [](Context& context) {
+        return whole(context.state.stencil.zpass);
+    };
+    t[GL_DEPTH_FUNC] = [](Context& context) { return whole(context.state.depth.func); };
+    t[GL_BLEND_SRC] = [](Context& context) { return whole(context.state.color_buffer.blend_src); };
+    t[GL_BLEND_DST] = [](Context& context) { return whole(context.state.color_buffer.blend_dst); };
+    t[GL_BLEND_EQUATION] = [](Context& context) {
+        return whole(context.state.color_buffer.blend_equation);
+    };
+    t[GL_BLEND_COLOR] = [](Context& context) {
+        return units(context.state.color_buffer.blend_color);
+    };
+    t[GL_LOGIC_OP_MODE] = [](Context& context) {
+        return whole(context.state.color_buffer.logic_op_mode);
+    };
+    t[GL_DRAW_BUFFER] = [](Context& context) {
+        return whole(context.state.color_buffer.draw_buffer);
+    };
+    t[GL_READ_BUFFER] = [](Context& context) { return whole(context.state.pixel.read_buffer); };
+    t[GL_INDEX_WRITEMASK] = [](Context& context) {
+        return whole(context.state.color_buffer.index_mask);
+    };
+    t[GL_COLOR_WRITEMASK] = [](Context& context) {
+        const auto& mask = context.state.color_buffer.mask;
         return wholes(Rect{mask[0], mask[1], mask[2], mask[3]});
     };
-    t[GL_DEPTH_WRITEMASK] = [](Context& c) { return whole(c.state.depth.mask); };
-    t[GL_STENCIL_WRITEMASK] = [](Context& c) { return whole(c.state.stencil.write_mask); };
-    t[GL_COLOR_CLEAR_VALUE] = [](Context& c) { return units(c.state.color_buffer.clear); };
-    t[GL_INDEX_CLEAR_VALUE] = [](Context& c) { return number(c.state.color_buffer.clear_index); };
-    t[GL_DEPTH_CLEAR_VALUE] = [](Context& c) { return unit_value(c.state.depth.clear); };
-    t[GL_STENCIL_CLEAR_VALUE] = [](Context& c) { return whole(c.state.stencil.clear); };
-    t[GL_ACCUM_CLEAR_VALUE] = [](Context& c) { return units(c.state.accum.clear); };
+    t[GL_DEPTH_WRITEMASK] = [](Context& context) { return whole(context.state.depth.mask); };
+    t[GL_STENCIL_WRITEMASK] = [](Context& context) {
+        return whole(context.state.stencil.write_mask);
+    };
+    t[GL_COLOR_CLEAR_VALUE] = [](Context& context) {
+        return units(context.state.color_buffer.clear);
+    };
+    t[GL_INDEX_CLEAR_VALUE] = [](Context& context) {
+        return number(context.state.color_buffer.clear_index);
+    };
+    t[GL_DEPTH_CLEAR_VALUE] = [](Context& context) {
+        return unit_value(context.state.depth.clear);
+    };
+    t[GL_STENCIL_CLEAR_VALUE] = [](Context& context) { return whole(context.state.stencil.clear); };
+    t[GL_ACCUM_CLEAR_VALUE] = [](Context& context) { return units(context.state.accum.clear); };
 }
 
 template <class StoreOf>
 void add_store(Table& t, GLenum first, StoreOf) {
-    t[first] = [](Context& c) { return whole(StoreOf()(c).swap_bytes); };
-    t[first + 1] = [](Context& c) { return whole(StoreOf()(c).lsb_first); };
-    t[first + 2] = [](Context& c) { return whole(StoreOf()(c).row_length); };
-    t[first + 3] = [](Context& c) { return whole(StoreOf()(c).skip_rows); };
-    t[first + 4] = [](Context& c) { return whole(StoreOf()(c).skip_pixels); };
-    t[first + 5] = [](Context& c) { return whole(StoreOf()(c).alignment); };
+    t[first] = [](Context& context) { return whole(StoreOf()(context).swap_bytes); };
+    t[first + 1] = [](Context& context) { return whole(StoreOf()(context).lsb_first); };
+    t[first + 2] = [](Context& context) { return whole(StoreOf()(context).row_length); };
+    t[first + 3] = [](Context& context) { return whole(StoreOf()(context).skip_rows); };
+    t[first + 4] = [](Context& context) { return whole(StoreOf()(context).skip_pixels); };
+    t[first + 5] = [](Context& context) { return whole(StoreOf()(context).alignment); };
 }
 
 template <int map>
 void add_map_size(Table& t) {
-    t[GL_PIXEL_MAP_I_TO_I_SIZE + GLenum(map)] = [](Context& c) {
-        return whole(c.pixel_maps.tables[std::size_t(map)].size());
+    t[GL_PIXEL_MAP_I_TO_I_SIZE + GLenum(map)] = [](Context& context) {
+        return whole(context.pixel_maps.tables[std::size_t(map)].size());
     };
 }
 
 void add_pixels(Table& t) {
-    add_store(t, GL_UNPACK_SWAP_BYTES, [](Context& c) { return c.client.unpack; });
-    add_store(t, GL_PACK_SWAP_BYTES, [](Context& c) { return c.client.pack; });
-    t[GL_MAP_COLOR] = [](Context& c) { return whole(c.state.pixel.map_color); };
-    t[GL_MAP_STENCIL] = [](Context& c) { return whole(c.state.pixel.map_stencil); };
-    t[GL_INDEX_SHIFT] = [](Context& c) { return whole(c.state.pixel.index_shift); };
-    t[GL_INDEX_OFFSET] = [](Context& c) { return whole(c.state.pixel.index_offset); };
-    t[GL_RED_SCALE] = [](Context& c) { return number(c.state.pixel.scale.x); };
-    t[GL_GREEN_SCALE] = [](Context& c) { return number(c.state.pixel.scale.y); };
-    t[GL_BLUE_SCALE] = [](Context& c) { return number(c.state.pixel.scale.z); };
-    t[GL_ALPHA_SCALE] = [](Context& c) { return number(c.state.pixel.scale.w); };
-    t[GL_RED_BIAS] = [](Context& c) { return number(c.state.pixel.bias.x); };
-    t[GL_GREEN_BIAS] = [](Context& c) { return number(c.state.pixel.bias.y); };
-    t[GL_BLUE_BIAS] = [](Context& c) { return number(c.state.pixel.bias.z); };
-    t[GL_ALPHA_BIAS] = [](Context& c) { return number(c.state.pixel.bias.w); };
-    t[GL_DEPTH_SCALE] = [](Context& c) { return number(c.state.pixel.depth_scale); };
-    t[GL_DEPTH_BIAS] = [](Context& c) { return number(c.state.pixel.depth_bias); };
-    t[GL_ZOOM_X] = [](Context& c) { return number(c.state.pixel.zoom_x); };
-    t[GL_ZOOM_Y] = [](Context& c) { return number(c.state.pixel.zoom_y); };
+    add_store(t, GL_UNPACK_SWAP_BYTES, [](Context& context) { return context.client.unpack; });
+    add_store(t, GL_PACK_SWAP_BYTES, [](Context& context) { return context.client.pack; });
+    t[GL_MAP_COLOR] = [](Context& context) { return whole(context.state.pixel.map_color); };
+    t[GL_MAP_STENCIL] = [](Context& context) { return whole(context.state.pixel.map_stencil); };
+    t[GL_INDEX_SHIFT] = [](Context& context) { return whole(context.state.pixel.index_shift); };
+    t[GL_INDEX_OFFSET] = [](Context& context) { return whole(context.state.pixel.index_offset); };
+    t[GL_RED_SCALE] = [](Context& context) { return number(context.state.pixel.scale.x); };
+    t[GL_GREEN_SCALE] = [](Context& context) { return number(context.state.pixel.scale.y); };
+    t[GL_BLUE_SCALE] = [](Context& context) { return number(context.state.pixel.scale.z); };
+    t[GL_ALPHA_SCALE] = [](Context& context) { return number(context.state.pixel.scale.w); };
+    t[GL_RED_BIAS] = [](Context& context) { return number(context.state.pixel.bias.x); };
+    t[GL_GREEN_BIAS] = [](Context& context) { return number(context.state.pixel.bias.y); };
+    t[GL_BLUE_BIAS] = [](Context& context) { return number(context.state.pixel.bias.z); };
+    t[GL_ALPHA_BIAS] = [](Context& context) { return number(context.state.pixel.bias.w); };
+    t[GL_DEPTH_SCALE] = [](Context& context) { return number(context.state.pixel.depth_scale); };
+    t[GL_DEPTH_BIAS] = [](Context& context) { return number(context.state.pixel.depth_bias); };
+    t[GL_ZOOM_X] = [](Context& context) { return number(context.state.pixel.zoom_x); };
+    t[GL_ZOOM_Y] = [](Context& context) { return number(context.state.pixel.zoom_y); };
     [&]<int... map>(std::integer_sequence<int, map...>) { (add_map_size<map>(t), ...); }
     (std::make_integer_sequence<int, pixel_map_count>());
 }
 
 void add_evaluators(Table& t) {
-    t[GL_MAP1_GRID_DOMAIN] = [](Context& c) {
-        return numbers_of(c.state.eval.grid1_u1, c.state.eval.grid1_u2);
+    t[GL_MAP1_GRID_DOMAIN] = [](Context& context) {
+        return numbers_of(context.state.eval.grid1_u1, context.state.eval.grid1_u2);
     };
-    t[GL_MAP1_GRID_SEGMENTS] = [](Context& c) { return whole(c.state.eval.grid1_segments); };
-    t[GL_MAP2_GRID_DOMAIN] = [](Context& c) {
-        const EvalState& s = c.state.eval;
+    t[GL_MAP1_GRID_SEGMENTS] = [](Context& context) {
+        return whole(context.state.eval.grid1_segments);
+    };
+    t[GL_MAP2_GRID_DOMAIN] = [](Context& context) {
+        const EvalState& s = context.state.eval;
         return numbers_of(dvec4(s.grid2_u1, s.grid2_u2, s.grid2_v1, s.grid2_v2));
     };
-    t[GL_MAP2_GRID_SEGMENTS] = [](Context& c) {
-        return wholes(c.state.eval.grid2_segments[0], c.state.eval.grid2_segments[1]);
+    t[GL_MAP2_GRID_SEGMENTS] = [](Context& context) {
+        return wholes(context.state.eval.grid2_segments[0], context.state.eval.grid2_segments[1]);
     };
 }
 
 void add_hints(Table& t) {
-    t[GL_PERSPECTIVE_CORRECTION_HINT] = [](Context& c) {
-        return whole(c.state.hint.perspective_correction);
+    t[GL_PERSPECTIVE_CORRECTION_HINT] = [](Context& context) {
+        return whole(context.state.hint.perspective_correction);
     };
-    t[GL_POINT_SMOOTH_HINT] = [](Context& c) { return whole(c.state.hint.point_smooth); };
-    t[GL_LINE_SMOOTH_HINT] = [](Context& c) { return whole(c.state.hint.line_smooth); };
-    t[GL_POLYGON_SMOOTH_HINT] = [](Context& c) { return whole(c.state.hint.polygon_smooth); };
-    t[GL_FOG_HINT] = [](Context& c) { return whole(c.state.hint.fog); };
+    t[GL_POINT_SMOOTH_HINT] = [](Context& context) {
+        return whole(context.state.hint.point_smooth);
+    };
+    t[GL_LINE_SMOOTH_HINT] = [](Context& context) { return whole(context.state.hint.line_smooth); };
+    t[GL_POLYGON_SMOOTH_HINT] = [](Context& context) {
+        return whole(context.state.hint.polygon_smooth);
+    };
+    t[GL_FOG_HINT] = [](Context& context) { return whole(context.state.hint.fog); };
 }
 
 /// The step of sizes and widths with antialiasing.
@@ -232,39 +296,57 @@ void add_limits(Table& t) {
     t[GL_MAX_VIEWPORT_DIMS] = [](Context&) { return wholes(max_window_size, max_window_size); };
     t[GL_MAX_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(attribute_stack_depth); };
     t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
-    t[GL_SUBPIXEL_BITS] = [](Context& c) { return whole(c.profile.subpixel_bits); };
+    t[GL_SUBPIXEL_BITS] = [](Context& context) { return whole(context.profile.subpixel_bits); };
     t[GL_POINT_SIZE_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_POINT_SIZE_GRANULARITY] = [](Context& c) { return number(size_step(c.profile)); };
+    t[GL_POINT_SIZE_GRANULARITY] = [](Context& context) {
+        return number(size_step(context.profile));
+    };
     t[GL_LINE_WIDTH_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_LINE_WIDTH_GRANULARITY] = [](Context& c) { return number(size_step(c.profile)); };
+    t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
+        return number(size_step(context.profile));
+    };
     t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
     t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };
     t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };
     t[GL_STEREO] = [](Context&) { return whole(GL_FALSE); };
-    t[GL_DOUBLEBUFFER] = [](Context& c) {
-        return whole(c.drawable != nullptr && c.drawable->is_double_buffered());
+    t[GL_DOUBLEBUFFER] = [](Context& context) {
+        return whole(context.drawable != nullptr && context.drawable->is_double_buffered());
     };
     for (const GLenum name : {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS})
-        t[name] = [](Context& c) { return whole(c.profile.color_bits); };
+        t[name] = [](Context& context) { return whole(context.profile.color_bits); };
     t[GL_INDEX_BITS] = [](Context&) { return whole(0); };
-    t[GL_DEPTH_BITS] = [](Context& c) { return whole(c.profile.depth_bits); };
-    t[GL_STENCIL_BITS] = [](Context& c) { return whole(c.profile.stencil_bits); };
+    t[GL_DEPTH_BITS] = [](Context& context) { return whole(context.profile.depth_bits); };
+    t[GL_STENCIL_BITS] = [](Context& context) { return whole(context.profile.stencil_bits); };
     for (const GLenum name :
          {GL_ACCUM_RED_BITS, GL_ACCUM_GREEN_BITS, GL_ACCUM_BLUE_BITS, GL_ACCUM_ALPHA_BITS})
-        t[name] = [](Context& c) { return whole(c.profile.accum_bits); };
+        t[name] = [](Context& context) { return whole(context.profile.accum_bits); };
 }
 
 void add_stacks(Table& t) {
-    t[GL_LIST_BASE] = [](Context& c) { return whole(c.state.list.base); };
-    t[GL_LIST_INDEX] = [](Context& c) { return whole(c.lists.open ? c.lists.name : 0u); };
-    t[GL_LIST_MODE] = [](Context& c) { return whole(c.lists.open ? c.lists.mode : 0u); };
-    t[GL_ATTRIB_STACK_DEPTH] = [](Context& c) { return whole(c.attribute_stack.size()); };
-    t[GL_CLIENT_ATTRIB_STACK_DEPTH] = [](Context& c) { return whole(c.client_stack.size()); };
-    t[GL_NAME_STACK_DEPTH] = [](Context& c) { return whole(c.selection.names.size()); };
-    t[GL_RENDER_MODE] = [](Context& c) { return whole(c.selection.mode); };
-    t[GL_FEEDBACK_BUFFER_SIZE] = [](Context& c) { return whole(c.selection.feedback_size); };
-    t[GL_FEEDBACK_BUFFER_TYPE] = [](Context& c) { return whole(c.selection.feedback_type); };
-    t[GL_SELECTION_BUFFER_SIZE] = [](Context& c) { return whole(c.selection.hits_size); };
+    t[GL_LIST_BASE] = [](Context& context) { return whole(context.state.list.base); };
+    t[GL_LIST_INDEX] = [](Context& context) {
+        return whole(context.lists.open ? context.lists.name : 0u);
+    };
+    t[GL_LIST_MODE] = [](Context& context) {
+        return whole(context.lists.open ? context.lists.mode : 0u);
+    };
+    t[GL_ATTRIB_STACK_DEPTH] = [](Context& context) {
+        return whole(context.attribute_stack.size());
+    };
+    t[GL_CLIENT_ATTRIB_STACK_DEPTH] = [](Context& context) {
+        return whole(context.client_stack.size());
+    };
+    t[GL_NAME_STACK_DEPTH] = [](Context& context) { return whole(context.selection.names.size()); };
+    t[GL_RENDER_MODE] = [](Context& context) { return whole(context.selection.mode); };
+    t[GL_FEEDBACK_BUFFER_SIZE] = [](Context& context) {
+        return whole(context.selection.feedback_size);
+    };
+    t[GL_FEEDBACK_BUFFER_TYPE] = [](Context& context) {
+        return whole(context.selection.feedback_type);
+    };
+    t[GL_SELECTION_BUFFER_SIZE] = [](Context& context) {
+        return whole(context.selection.hits_size);
+    };
 }
 
 Table make_variables() {
@@ -286,12 +368,12 @@ Table make_variables() {
 
 }  // namespace
 
-std::optional<QueryValues> state_variable(Context& c, GLenum pname) {
+std::optional<QueryValues> state_variable(Context& context, GLenum pname) {
     static const Table& table = leaked_static(make_variables());
-    if (const auto found = table.find(pname); found != table.end()) return found->second(c);
+    if (const auto found = table.find(pname); found != table.end()) return found->second(context);
     if (const Capability* capability = find_capability(pname))
-        return whole(is_enabled(c.state, *capability));
-    if (const ClientArray* array = find_array(c.client, pname)) return whole(array->enable);
+        return whole(is_enabled(context.state, *capability));
+    if (const ClientArray* array = find_array(context.client, pname)) return whole(array->enable);
     return std::nullopt;
 }
 

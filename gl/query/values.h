@@ -62,7 +62,7 @@ inline QueryValues numbers_of(const dmat4& m) {
 }
 
 /// The values of a state variable; none: there is no such variable.
-std::optional<QueryValues> state_variable(Context& c, GLenum pname);
+std::optional<QueryValues> state_variable(Context& context, GLenum pname);
 
 /// A value as an integer. [GL11] table 4.7 and 6.1.2
 inline double integer_value(QueryValues::Kind kind, double v) {

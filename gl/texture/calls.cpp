@@ -21,23 +21,23 @@ vec4 clamped_color(const Params& p) {
     return out;
 }
 
-void set_wrap(Context& c, GLenum& field, GLenum mode) {
+void set_wrap(Context& context, GLenum& field, GLenum mode) {
     const bool known = mode == GL_CLAMP || mode == GL_REPEAT || mode == GL_CLAMP_TO_EDGE;
-    if (!known) return set_error(c, GL_INVALID_ENUM);
-    change(c, field, mode);
+    if (!known) return set_error(context, GL_INVALID_ENUM);
+    change(context, field, mode);
 }
 
-void set_filter(Context& c, GLenum& field, GLenum filter, bool known) {
-    if (!known) return set_error(c, GL_INVALID_ENUM);
-    change(c, field, filter);
+void set_filter(Context& context, GLenum& field, GLenum filter, bool known) {
+    if (!known) return set_error(context, GL_INVALID_ENUM);
+    change(context, field, filter);
 }
 
 /// The object of a name, made when the name is bound first. Null: another target has the name.
-std::shared_ptr<TextureObject> object_of(Context& c, std::size_t target, GLenum name_of_target,
-                                         GLuint name) {
-    if (name == 0) return c.textures.initial[target];
-    const auto lock = c.shared->exclusive();
-    TextureNames::Named& named = c.shared->textures.named[name];
+std::shared_ptr<TextureObject> object_of(Context& context, std::size_t target,
+                                         GLenum name_of_target, GLuint name) {
+    if (name == 0) return context.textures.initial[target];
+    const auto lock = context.shared->exclusive();
+    TextureNames::Named& named = context.shared->textures.named[name];
     if (named.target != 0 && named.target != name_of_target) return nullptr;
     if (!named.object) named = {name_of_target, std::make_shared<TextureObject>()};
     return named.object;
@@ -47,58 +47,60 @@ std::shared_ptr<TextureObject> object_of(Context& c, std::size_t target, GLenum 
 
 namespace execute {
 
-void tex_parameter(Context& c, GLenum target, GLenum pname, const Params& params) {
+void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& params) {
     const auto index = target_index(target);
-    if (!index) return set_error(c, GL_INVALID_ENUM);
-    TextureParameters& s = c.textures.bound[*index]->parameters;
+    if (!index) return set_error(context, GL_INVALID_ENUM);
+    TextureParameters& s = context.textures.bound[*index]->parameters;
     const GLenum token = params.token();
     switch (pname) {
-        case GL_TEXTURE_MIN_FILTER: return set_filter(c, s.min_filter, token, is_min_filter(token));
+        case GL_TEXTURE_MIN_FILTER:
+            return set_filter(context, s.min_filter, token, is_min_filter(token));
         case GL_TEXTURE_MAG_FILTER:
-            return set_filter(c, s.mag_filter, token, token == GL_NEAREST || token == GL_LINEAR);
-        case GL_TEXTURE_WRAP_S: return set_wrap(c, s.wrap_s, token);
-        case GL_TEXTURE_WRAP_T: return set_wrap(c, s.wrap_t, token);
+            return set_filter(context, s.mag_filter, token,
+                              token == GL_NEAREST || token == GL_LINEAR);
+        case GL_TEXTURE_WRAP_S: return set_wrap(context, s.wrap_s, token);
+        case GL_TEXTURE_WRAP_T: return set_wrap(context, s.wrap_t, token);
         case GL_TEXTURE_BORDER_COLOR:
-            if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-            return change(c, s.border_color, clamped_color(params));
+            if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
+            return change(context, s.border_color, clamped_color(params));
         case GL_TEXTURE_PRIORITY: s.priority = clamped(float(params[0]), 0.0f, 1.0f); return;
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
-void tex_env(Context& c, GLenum target, GLenum pname, const Params& params) {
-    if (target != GL_TEXTURE_ENV) return set_error(c, GL_INVALID_ENUM);
-    TextureState& s = c.state.texture;
+void tex_env(Context& context, GLenum target, GLenum pname, const Params& params) {
+    if (target != GL_TEXTURE_ENV) return set_error(context, GL_INVALID_ENUM);
+    TextureState& s = context.state.texture;
     if (pname == GL_TEXTURE_ENV_COLOR) {
-        if (params.count < 4) return set_error(c, GL_INVALID_ENUM);
-        return change(c, s.env_color, clamped_color(params));
+        if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
+        return change(context, s.env_color, clamped_color(params));
     }
     const GLenum mode = params.token();
     const bool known =
         mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE;
-    if (pname != GL_TEXTURE_ENV_MODE || !known) return set_error(c, GL_INVALID_ENUM);
-    change(c, s.env_mode, mode);
+    if (pname != GL_TEXTURE_ENV_MODE || !known) return set_error(context, GL_INVALID_ENUM);
+    change(context, s.env_mode, mode);
 }
 
-void bind_texture(Context& c, GLenum target, GLuint texture) {
+void bind_texture(Context& context, GLenum target, GLuint texture) {
     const auto index = target_index(target);
-    if (!index) return set_error(c, GL_INVALID_ENUM);
-    std::shared_ptr<TextureObject> object = object_of(c, *index, target, texture);
-    if (!object) return set_error(c, GL_INVALID_OPERATION);
+    if (!index) return set_error(context, GL_INVALID_ENUM);
+    std::shared_ptr<TextureObject> object = object_of(context, *index, target, texture);
+    if (!object) return set_error(context, GL_INVALID_OPERATION);
     const bool is_bound =
-        object == c.textures.bound[*index] && texture == c.state.texture.bound[*index];
+        object == context.textures.bound[*index] && texture == context.state.texture.bound[*index];
     // Another context may have changed the object; binding it makes that visible.
-    if (is_bound && c.shared.use_count() == 1) return;
-    begin_change(c);
-    c.state.texture.bound[*index] = texture;
-    c.textures.bound[*index] = std::move(object);
+    if (is_bound && context.shared.use_count() == 1) return;
+    begin_change(context);
+    context.state.texture.bound[*index] = texture;
+    context.textures.bound[*index] = std::move(object);
 }
 
-void gen_textures(Context& c, GLsizei n, GLuint* textures) {
-    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+void gen_textures(Context& context, GLsizei n, GLuint* textures) {
+    if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (textures == nullptr) return;
-    const auto lock = c.shared->exclusive();
-    auto& named = c.shared->textures.named;
+    const auto lock = context.shared->exclusive();
+    auto& named = context.shared->textures.named;
     GLuint name = 1;
     for (GLsizei i = 0; i < n; ++i) {
         while (named.contains(name)) ++name;
@@ -107,40 +109,42 @@ void gen_textures(Context& c, GLsizei n, GLuint* textures) {
     }
 }
 
-void delete_textures(Context& c, GLsizei n, const GLuint* textures) {
-    if (n < 0) return set_error(c, GL_INVALID_VALUE);
+void delete_textures(Context& context, GLsizei n, const GLuint* textures) {
+    if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (textures == nullptr) return;
     for (GLsizei i = 0; i < n; ++i) {
         if (textures[i] == 0) continue;
         for (std::size_t target = 0; target < texture_target_count; ++target)
-            if (c.state.texture.bound[target] == textures[i])
-                bind_texture(c, GL_TEXTURE_1D + GLenum(target), 0);
-        const auto lock = c.shared->exclusive();
-        c.shared->textures.named.erase(textures[i]);
+            if (context.state.texture.bound[target] == textures[i])
+                bind_texture(context, GL_TEXTURE_1D + GLenum(target), 0);
+        const auto lock = context.shared->exclusive();
+        context.shared->textures.named.erase(textures[i]);
     }
 }
 
-GLboolean is_texture(Context& c, GLuint texture) {
-    const auto lock = c.shared->exclusive();
-    const auto found = c.shared->textures.named.find(texture);
-    return found != c.shared->textures.named.end() && found->second.object ? GL_TRUE : GL_FALSE;
+GLboolean is_texture(Context& context, GLuint texture) {
+    const auto lock = context.shared->exclusive();
+    const auto found = context.shared->textures.named.find(texture);
+    return found != context.shared->textures.named.end() && found->second.object ? GL_TRUE
+                                                                                 : GL_FALSE;
 }
 
-GLboolean are_textures_resident(Context& c, GLsizei n, const GLuint* textures, GLboolean*) {
-    if (n < 0) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+GLboolean are_textures_resident(Context& context, GLsizei n, const GLuint* textures, GLboolean*) {
+    if (n < 0) return set_error(context, GL_INVALID_VALUE), GL_FALSE;
     if (textures == nullptr) return GL_FALSE;
     for (GLsizei i = 0; i < n; ++i)
-        if (!is_texture(c, textures[i])) return set_error(c, GL_INVALID_VALUE), GL_FALSE;
+        if (!is_texture(context, textures[i]))
+            return set_error(context, GL_INVALID_VALUE), GL_FALSE;
     return GL_TRUE;  // residences are then left alone
 }
 
-void prioritize_textures(Context& c, GLsizei n, const Numbers& textures,
+void prioritize_textures(Context& context, GLsizei n, const Numbers& textures,
                          const Numbers& priorities) {
-    if (n < 0) return set_error(c, GL_INVALID_VALUE);
-    const auto lock = c.shared->exclusive();
+    if (n < 0) return set_error(context, GL_INVALID_VALUE);
+    const auto lock = context.shared->exclusive();
     for (std::size_t i = 0; i < std::min(textures->size(), priorities->size()); ++i) {
-        const auto found = c.shared->textures.named.find(GLuint((*textures)[i]));
-        if (found == c.shared->textures.named.end() || !found->second.object) continue;
+        const auto found = context.shared->textures.named.find(GLuint((*textures)[i]));
+        if (found == context.shared->textures.named.end() || !found->second.object) continue;
         found->second.object->parameters.priority = float(clamped((*priorities)[i], 0.0, 1.0));
     }
 }

@@ -75,34 +75,35 @@ std::span<Rgba> colors_of(TextureImage& image) {
 }
 
 /// Replaces an image. `image` has all four channels, whatever the format keeps of them.
-void set_image(Context& c, const Place& place, GLint level, TextureImage image) {
-    begin_change(c);
+void set_image(Context& context, const Place& place, GLint level, TextureImage image) {
+    begin_change(context);
     complete(machine_format(image.internal_format), image.texels.edit());
-    const auto lock = c.shared->exclusive();
-    c.textures.bound[place.index]->set_image(std::size_t(level), std::move(image));
+    const auto lock = context.shared->exclusive();
+    context.textures.bound[place.index]->set_image(std::size_t(level), std::move(image));
 }
 
 /// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
-void set_proxy(Context& c, const Place& place, const Request& r, GLenum error) {
-    if (!is_legal(r)) return set_error(c, GL_INVALID_VALUE);
-    TextureImage& image = c.textures.proxy[place.index][std::size_t(r.level)];
+void set_proxy(Context& context, const Place& place, const Request& r, GLenum error) {
+    if (!is_legal(r)) return set_error(context, GL_INVALID_VALUE);
+    TextureImage& image = context.textures.proxy[place.index][std::size_t(r.level)];
     image = error != GL_NO_ERROR ? TextureImage{.internal_format = 0}
                                  : TextureImage{r.width, r.height, r.border, r.internal_format, {}};
 }
 
-void tex_image(Context& c, GLenum target, const Request& r, GLenum format, GLenum type,
+void tex_image(Context& context, GLenum target, const Request& r, GLenum format, GLenum type,
                const HostImage& host) {
     const auto place = place_of(target);
-    if (!place) return set_error(c, GL_INVALID_ENUM);
-    if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
+    if (!place) return set_error(context, GL_INVALID_ENUM);
+    if (const GLenum error = format_error(format, type)) return set_error(context, error);
+    if (!is_texel_format(format)) return set_error(context, GL_INVALID_ENUM);
     const GLenum error = request_error(r, place->index);
-    if (place->is_proxy) return set_proxy(c, *place, r, error);
-    if (error != GL_NO_ERROR) return set_error(c, error);
+    if (place->is_proxy) return set_proxy(context, *place, r, error);
+    if (error != GL_NO_ERROR) return set_error(context, error);
     TextureImage image = black_image(r);
     if (host.is_given())
-        store_host_rgba(c, r.width, r.height, format, type, host, texel_bits, colors_of(image));
-    set_image(c, *place, r.level, std::move(image));
+        store_host_rgba(context, r.width, r.height, format, type, host, texel_bits,
+                        colors_of(image));
+    set_image(context, *place, r.level, std::move(image));
 }
 
 /// The part of a bound object's level that a call replaces.
@@ -114,20 +115,21 @@ struct Part {
 
 /// None, and the error is set: there is no image, or the part is not inside it. Offsets count from
 /// inside the border.
-std::optional<Part> replaced_part(Context& c, GLenum target, GLint level, const Rect& part) {
+std::optional<Part> replaced_part(Context& context, GLenum target, GLint level, const Rect& part) {
     const auto index = target_index(target);
-    if (!index) return set_error(c, GL_INVALID_ENUM), std::nullopt;
-    if (level < 0 || level >= level_count) return set_error(c, GL_INVALID_VALUE), std::nullopt;
-    TextureObject& object = *c.textures.bound[*index];
+    if (!index) return set_error(context, GL_INVALID_ENUM), std::nullopt;
+    if (level < 0 || level >= level_count)
+        return set_error(context, GL_INVALID_VALUE), std::nullopt;
+    TextureObject& object = *context.textures.bound[*index];
     const TextureImage& image = object.levels[std::size_t(level)];
-    if (image.width == 0) return set_error(c, GL_INVALID_OPERATION), std::nullopt;
+    if (image.width == 0) return set_error(context, GL_INVALID_OPERATION), std::nullopt;
     const auto inside = [&](std::int64_t at, std::int64_t size, int whole, int border) {
         return size >= 0 && at >= -border && at + size <= whole - border;
     };
     const int border_t = *index == 0 ? 0 : image.border;
     if (!inside(part.x, part.width, image.width, image.border) ||
         !inside(part.y, part.height, image.height, border_t))
-        return set_error(c, GL_INVALID_VALUE), std::nullopt;
+        return set_error(context, GL_INVALID_VALUE), std::nullopt;
     return Part{object,
                 std::size_t(level),
                 {part.x + image.border, part.y + border_t, part.width, part.height}};
@@ -135,113 +137,116 @@ std::optional<Part> replaced_part(Context& c, GLenum target, GLint level, const 
 
 /// A frame that draws with the texels keeps them as they are, so that they would be copied. If they
 /// are many and the part is small, it costs less to execute the frame.
-void release_texels(Context& c, const Part& part) {
+void release_texels(Context& context, const Part& part) {
     constexpr std::size_t many = 512 * 512;
     const std::size_t texels = part.object.levels[part.level].texels.size() / 4;
-    if (texels < many || 4 * part.rect.area() > texels || c.drawable == nullptr) return;
+    if (texels < many || 4 * part.rect.area() > texels || context.drawable == nullptr) return;
     {
-        const auto lock = c.shared->exclusive();
+        const auto lock = context.shared->exclusive();
         if (part.object.is_alone(part.level)) return;
     }
-    c.drawable->flush(Cause::Texture);
+    context.drawable->flush(Cause::Texture);
 }
 
-void replace(Context& c, const Part& part, const std::vector<Rgba>& colors) {
+void replace(Context& context, const Part& part, const std::vector<Rgba>& colors) {
     if (part.rect.area() == 0) return;
-    begin_change(c);
-    release_texels(c, part);
-    const auto lock = c.shared->exclusive();
+    begin_change(context);
+    release_texels(context, part);
+    const auto lock = context.shared->exclusive();
     part.object.replace_part(part.level, part.rect, colors);
 }
 
-void tex_sub_image(Context& c, GLenum target, GLint level, const Rect& rect, GLenum format,
+void tex_sub_image(Context& context, GLenum target, GLint level, const Rect& rect, GLenum format,
                    GLenum type, const HostImage& host) {
-    if (const GLenum error = format_error(format, type)) return set_error(c, error);
-    if (!is_texel_format(format)) return set_error(c, GL_INVALID_ENUM);
-    const std::optional<Part> part = replaced_part(c, target, level, rect);
+    if (const GLenum error = format_error(format, type)) return set_error(context, error);
+    if (!is_texel_format(format)) return set_error(context, GL_INVALID_ENUM);
+    const std::optional<Part> part = replaced_part(context, target, level, rect);
     if (!part || !host.is_given()) return;
-    replace(c, *part, host_rgba(c, rect.width, rect.height, format, type, host, texel_bits));
+    replace(context, *part,
+            host_rgba(context, rect.width, rect.height, format, type, host, texel_bits));
 }
 
 /// The drawable's pixels after transfer.
-std::vector<Rgba> copied_colors(Context& c, const Rect& rect) {
-    flush_mesh(c);
-    return read_rgba(c, rect, Cause::Copy, texel_bits);
+std::vector<Rgba> copied_colors(Context& context, const Rect& rect) {
+    flush_mesh(context);
+    return read_rgba(context, rect, Cause::Copy, texel_bits);
 }
 
-void copy_image(Context& c, GLenum target, const Request& r, GLint x, GLint y) {
+void copy_image(Context& context, GLenum target, const Request& r, GLint x, GLint y) {
     const auto index = target_index(target);
-    if (!index) return set_error(c, GL_INVALID_ENUM);
+    if (!index) return set_error(context, GL_INVALID_ENUM);
     // [GL11] 3.8.2: the formats 1 to 4 are not among those of copies.
-    if (r.internal_format >= 1 && r.internal_format <= 4) return set_error(c, GL_INVALID_ENUM);
+    if (r.internal_format >= 1 && r.internal_format <= 4)
+        return set_error(context, GL_INVALID_ENUM);
     const GLenum error = request_error(r, *index);
-    if (error != GL_NO_ERROR) return set_error(c, error);
-    if (c.read_drawable == nullptr) return;
+    if (error != GL_NO_ERROR) return set_error(context, error);
+    if (context.read_drawable == nullptr) return;
     TextureImage image = black_image(r);
-    std::ranges::copy(copied_colors(c, {x, y, r.width, r.height}), colors_of(image).begin());
-    set_image(c, {*index, false}, r.level, std::move(image));
+    std::ranges::copy(copied_colors(context, {x, y, r.width, r.height}), colors_of(image).begin());
+    set_image(context, {*index, false}, r.level, std::move(image));
 }
 
-void copy_part(Context& c, GLenum target, GLint level, const Rect& rect, GLint x, GLint y) {
-    const std::optional<Part> part = replaced_part(c, target, level, rect);
-    if (!part || c.read_drawable == nullptr || rect.area() == 0) return;
-    replace(c, *part, copied_colors(c, {x, y, rect.width, rect.height}));
+void copy_part(Context& context, GLenum target, GLint level, const Rect& rect, GLint x, GLint y) {
+    const std::optional<Part> part = replaced_part(context, target, level, rect);
+    if (!part || context.read_drawable == nullptr || rect.area() == 0) return;
+    replace(context, *part, copied_colors(context, {x, y, rect.width, rect.height}));
 }
 
 }  // namespace
 
 namespace execute {
 
-void tex_image_1d(Context& c, GLenum target, GLint level, GLint internal_format, GLsizei width,
-                  GLint border, GLenum format, GLenum type, const HostImage& image) {
+void tex_image_1d(Context& context, GLenum target, GLint level, GLint internal_format,
+                  GLsizei width, GLint border, GLenum format, GLenum type, const HostImage& image) {
     if (target != GL_TEXTURE_1D && target != GL_PROXY_TEXTURE_1D)
-        return set_error(c, GL_INVALID_ENUM);
-    tex_image(c, target, {level, internal_format, width, 1, border}, format, type, image);
+        return set_error(context, GL_INVALID_ENUM);
+    tex_image(context, target, {level, internal_format, width, 1, border}, format, type, image);
 }
 
-void tex_image_2d(Context& c, GLenum target, GLint level, GLint internal_format, GLsizei width,
-                  GLsizei height, GLint border, GLenum format, GLenum type,
+void tex_image_2d(Context& context, GLenum target, GLint level, GLint internal_format,
+                  GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
                   const HostImage& image) {
     if (target != GL_TEXTURE_2D && target != GL_PROXY_TEXTURE_2D)
-        return set_error(c, GL_INVALID_ENUM);
-    tex_image(c, target, {level, internal_format, width, height, border}, format, type, image);
+        return set_error(context, GL_INVALID_ENUM);
+    tex_image(context, target, {level, internal_format, width, height, border}, format, type,
+              image);
 }
 
-void tex_sub_image_1d(Context& c, GLenum target, GLint level, GLint xoffset, GLsizei width,
+void tex_sub_image_1d(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width,
                       GLenum format, GLenum type, const HostImage& image) {
-    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
-    tex_sub_image(c, target, level, {xoffset, 0, width, 1}, format, type, image);
+    if (target != GL_TEXTURE_1D) return set_error(context, GL_INVALID_ENUM);
+    tex_sub_image(context, target, level, {xoffset, 0, width, 1}, format, type, image);
 }
 
-void tex_sub_image_2d(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+void tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                       GLsizei width, GLsizei height, GLenum format, GLenum type,
                       const HostImage& image) {
-    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
-    tex_sub_image(c, target, level, {xoffset, yoffset, width, height}, format, type, image);
+    if (target != GL_TEXTURE_2D) return set_error(context, GL_INVALID_ENUM);
+    tex_sub_image(context, target, level, {xoffset, yoffset, width, height}, format, type, image);
 }
 
-void copy_tex_image_1d(Context& c, GLenum target, GLint level, GLenum internal_format, GLint x,
-                       GLint y, GLsizei width, GLint border) {
-    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
-    copy_image(c, target, {level, GLint(internal_format), width, 1, border}, x, y);
+void copy_tex_image_1d(Context& context, GLenum target, GLint level, GLenum internal_format,
+                       GLint x, GLint y, GLsizei width, GLint border) {
+    if (target != GL_TEXTURE_1D) return set_error(context, GL_INVALID_ENUM);
+    copy_image(context, target, {level, GLint(internal_format), width, 1, border}, x, y);
 }
 
-void copy_tex_image_2d(Context& c, GLenum target, GLint level, GLenum internal_format, GLint x,
-                       GLint y, GLsizei width, GLsizei height, GLint border) {
-    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
-    copy_image(c, target, {level, GLint(internal_format), width, height, border}, x, y);
+void copy_tex_image_2d(Context& context, GLenum target, GLint level, GLenum internal_format,
+                       GLint x, GLint y, GLsizei width, GLsizei height, GLint border) {
+    if (target != GL_TEXTURE_2D) return set_error(context, GL_INVALID_ENUM);
+    copy_image(context, target, {level, GLint(internal_format), width, height, border}, x, y);
 }
 
-void copy_tex_sub_image_1d(Context& c, GLenum target, GLint level, GLint xoffset, GLint x, GLint y,
-                           GLsizei width) {
-    if (target != GL_TEXTURE_1D) return set_error(c, GL_INVALID_ENUM);
-    copy_part(c, target, level, {xoffset, 0, width, 1}, x, y);
+void copy_tex_sub_image_1d(Context& context, GLenum target, GLint level, GLint xoffset, GLint x,
+                           GLint y, GLsizei width) {
+    if (target != GL_TEXTURE_1D) return set_error(context, GL_INVALID_ENUM);
+    copy_part(context, target, level, {xoffset, 0, width, 1}, x, y);
 }
 
-void copy_tex_sub_image_2d(Context& c, GLenum target, GLint level, GLint xoffset, GLint yoffset,
-                           GLint x, GLint y, GLsizei width, GLsizei height) {
-    if (target != GL_TEXTURE_2D) return set_error(c, GL_INVALID_ENUM);
-    copy_part(c, target, level, {xoffset, yoffset, width, height}, x, y);
+void copy_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
+                           GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height) {
+    if (target != GL_TEXTURE_2D) return set_error(context, GL_INVALID_ENUM);
+    copy_part(context, target, level, {xoffset, yoffset, width, height}, x, y);
 }
 
 }  // namespace execute

@@ -118,14 +118,14 @@ void set_values(const ClientState& client, std::span<AssembledVertex> out, Index
 
 /// Elements as vertices. What no array gives is the current value; the current values stay.
 template <class IndexOf>
-void add_elements(Context& c, GLsizei count, IndexOf index_of) {
+void add_elements(Context& context, GLsizei count, IndexOf index_of) {
     constexpr GLsizei some = 64;  // stay in the first cache
     std::array<AssembledVertex, some> vertices;
-    vertices.fill(current_vertex(c.state.current));
+    vertices.fill(current_vertex(context.state.current));
     for (GLsizei first = 0; first < count; first += some) {
         const std::span added(vertices.data(), std::size_t(std::min(some, count - first)));
-        set_values(c.client, added, [&](GLsizei k) { return index_of(first + k); });
-        add_vertices(c, added);
+        set_values(context.client, added, [&](GLsizei k) { return index_of(first + k); });
+        add_vertices(context, added);
     }
 }
 
@@ -143,9 +143,9 @@ std::vector<GLint> named_elements(std::span<const std::uint32_t> indices, std::u
 /// Draws separate primitives whose vertices stand in the mesh once each. False, and nothing is done:
 /// the vertices are not shared, or not all of them can be drawn.
 template <class IndexOf>
-bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
+bool draw_shared(Context& context, GLenum mode, GLsizei count, IndexOf index_of) {
     const int corners = Assembly::separate_corners(mode);
-    if (corners == 0 || !is_given(c.client, Array::Vertex)) return false;
+    if (corners == 0 || !is_given(context.client, Array::Vertex)) return false;
     std::vector<std::uint32_t> indices(std::size_t(count - count % corners));
     if (indices.empty()) return false;
     for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -157,37 +157,38 @@ bool draw_shared(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
     const std::uint32_t first = *low, vertices = *high - first + 1;
     if (vertices >= indices.size()) return false;
 
-    execute::begin(c, mode);
+    execute::begin(context, mode);
     const std::vector<GLint> elements = named_elements(indices, first, vertices);
-    add_elements(c, GLsizei(vertices), [&](GLsizei k) { return elements[std::size_t(k)]; });
+    add_elements(context, GLsizei(vertices), [&](GLsizei k) { return elements[std::size_t(k)]; });
     for (std::uint32_t& index : indices) index -= first;
-    const bool whole = c.assembler.mesh.end_shared(vertices, indices);
-    c.assembler.inside = false;
+    const bool whole = context.assembler.mesh.end_shared(vertices, indices);
+    context.assembler.inside = false;
     return whole;
 }
 
 /// A whole primitive of elements. Without vertices it draws nothing.
 template <class IndexOf>
-void draw_elements_one_by_one(Context& c, GLenum mode, GLsizei count, IndexOf index_of) {
-    execute::begin(c, mode);
-    if (is_given(c.client, Array::Vertex)) add_elements(c, count, index_of);
-    execute::end(c);
+void draw_elements_one_by_one(Context& context, GLenum mode, GLsizei count, IndexOf index_of) {
+    execute::begin(context, mode);
+    if (is_given(context.client, Array::Vertex)) add_elements(context, count, index_of);
+    execute::end(context);
 }
 
 /// An open list keeps a whole primitive of elements as one call, which is wrong between Begin and
 /// End as a whole.
 template <class IndexOf>
-void list_elements(Context& c, Function function, GLenum mode, GLsizei count, IndexOf index_of) {
+void list_elements(Context& context, Function function, GLenum mode, GLsizei count,
+                   IndexOf index_of) {
     const auto elements = std::make_shared<DisplayList>();
-    const auto outer = std::exchange(c.lists.open, elements);
-    const GLenum outer_mode = std::exchange(c.lists.mode, GLenum(GL_COMPILE));
+    const auto outer = std::exchange(context.lists.open, elements);
+    const GLenum outer_mode = std::exchange(context.lists.mode, GLenum(GL_COMPILE));
     perform<execute::begin>(Function::Begin, mode);
-    if (c.client.array(Array::Vertex).enable)
-        for (GLsizei i = 0; i < count; ++i) send_element(c.client, index_of(i));
+    if (context.client.array(Array::Vertex).enable)
+        for (GLsizei i = 0; i < count; ++i) send_element(context.client, index_of(i));
     perform<execute::end>(Function::End);
     elements->seal();
-    c.lists.open = outer;
-    c.lists.mode = outer_mode;
+    context.lists.open = outer;
+    context.lists.mode = outer_mode;
     call<Kind::Draw, execute::play_elements>(function, Elements(elements));
 }
 
@@ -202,10 +203,10 @@ GLint index_at(GLenum type, const GLvoid* indices, GLsizei i) {
 }
 
 /// Sets an array's layout, or an error.
-void set_pointer(Context& c, Array which, GLint size, GLenum type, GLsizei stride,
+void set_pointer(Context& context, Array which, GLint size, GLenum type, GLsizei stride,
                  const GLvoid* pointer) {
-    if (stride < 0) return set_error(c, GL_INVALID_VALUE);
-    ClientArray& a = c.client.array(which);
+    if (stride < 0) return set_error(context, GL_INVALID_VALUE);
+    ClientArray& a = context.client.array(which);
     a.size = size;
     a.type = type;
     a.stride = stride;
@@ -239,9 +240,9 @@ constexpr Interleaved interleaved_formats[] = {
     {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4, GL_FLOAT},
 };
 
-void set_client_array(Context& c, GLenum name, bool on) {
-    ClientArray* const array = find_array(c.client, name);
-    if (array == nullptr) return set_error(c, GL_INVALID_ENUM);
+void set_client_array(Context& context, GLenum name, bool on) {
+    ClientArray* const array = find_array(context.client, name);
+    if (array == nullptr) return set_error(context, GL_INVALID_ENUM);
     array->enable = on;
 }
 
@@ -249,43 +250,49 @@ void set_client_array(Context& c, GLenum name, bool on) {
 
 namespace execute {
 
-void vertex_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (size < 2 || size > 4) return set_error(c, GL_INVALID_VALUE);
-    if (!is_coordinate_type(type)) return set_error(c, GL_INVALID_ENUM);
-    set_pointer(c, Array::Vertex, size, type, stride, pointer);
+void vertex_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
+                    const GLvoid* pointer) {
+    if (size < 2 || size > 4) return set_error(context, GL_INVALID_VALUE);
+    if (!is_coordinate_type(type)) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::Vertex, size, type, stride, pointer);
 }
 
-void normal_pointer(Context& c, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (!is_coordinate_type(type) && type != GL_BYTE) return set_error(c, GL_INVALID_ENUM);
-    set_pointer(c, Array::Normal, 3, type, stride, pointer);
+void normal_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (!is_coordinate_type(type) && type != GL_BYTE) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::Normal, 3, type, stride, pointer);
 }
 
-void color_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (size < 3 || size > 4) return set_error(c, GL_INVALID_VALUE);
-    if (bytes_of(type) == 0) return set_error(c, GL_INVALID_ENUM);
-    set_pointer(c, Array::Color, size, type, stride, pointer);
+void color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
+                   const GLvoid* pointer) {
+    if (size < 3 || size > 4) return set_error(context, GL_INVALID_VALUE);
+    if (bytes_of(type) == 0) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::Color, size, type, stride, pointer);
 }
 
-void index_pointer(Context& c, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (!is_coordinate_type(type) && type != GL_UNSIGNED_BYTE) return set_error(c, GL_INVALID_ENUM);
-    set_pointer(c, Array::Index, 1, type, stride, pointer);
+void index_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (!is_coordinate_type(type) && type != GL_UNSIGNED_BYTE)
+        return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::Index, 1, type, stride, pointer);
 }
 
-void tex_coord_pointer(Context& c, GLint size, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (size < 1 || size > 4) return set_error(c, GL_INVALID_VALUE);
-    if (!is_coordinate_type(type)) return set_error(c, GL_INVALID_ENUM);
-    set_pointer(c, Array::TexCoord, size, type, stride, pointer);
+void tex_coord_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
+                       const GLvoid* pointer) {
+    if (size < 1 || size > 4) return set_error(context, GL_INVALID_VALUE);
+    if (!is_coordinate_type(type)) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::TexCoord, size, type, stride, pointer);
 }
 
-void edge_flag_pointer(Context& c, GLsizei stride, const GLvoid* pointer) {
-    set_pointer(c, Array::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+void edge_flag_pointer(Context& context, GLsizei stride, const GLvoid* pointer) {
+    set_pointer(context, Array::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
 }
 
-void enable_client_state(Context& c, GLenum array) { set_client_array(c, array, true); }
-void disable_client_state(Context& c, GLenum array) { set_client_array(c, array, false); }
+void enable_client_state(Context& context, GLenum array) { set_client_array(context, array, true); }
+void disable_client_state(Context& context, GLenum array) {
+    set_client_array(context, array, false);
+}
 
-void interleaved_arrays(Context& c, GLenum format, GLsizei stride, const GLvoid* pointer) {
-    if (stride < 0) return set_error(c, GL_INVALID_VALUE);
+void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const GLvoid* pointer) {
+    if (stride < 0) return set_error(context, GL_INVALID_VALUE);
     for (const Interleaved& f : interleaved_formats) {
         if (f.format != format) continue;
         const auto* at = static_cast<const unsigned char*>(pointer);
@@ -294,59 +301,66 @@ void interleaved_arrays(Context& c, GLenum format, GLsizei stride, const GLvoid*
         const GLsizei step =
             stride != 0 ? stride : GLsizei(std::size_t(floats) * sizeof(float) + color_bytes);
         const auto take = [&](Array which, int size, GLenum type) {
-            c.client.array(which).enable = size > 0;
+            context.client.array(which).enable = size > 0;
             if (size == 0) return;
-            set_pointer(c, which, size, type, step, at);
+            set_pointer(context, which, size, type, step, at);
             at += std::size_t(size) * bytes_of(type);
         };
-        c.client.array(Array::EdgeFlag).enable = c.client.array(Array::Index).enable = false;
+        context.client.array(Array::EdgeFlag).enable = context.client.array(Array::Index).enable =
+            false;
         take(Array::TexCoord, f.texcoords, GL_FLOAT);
         take(Array::Color, f.colors, f.color_type);
         take(Array::Normal, f.normals, GL_FLOAT);
         return take(Array::Vertex, f.positions, GL_FLOAT);
     }
-    set_error(c, GL_INVALID_ENUM);
+    set_error(context, GL_INVALID_ENUM);
 }
 
-void array_element(Context& c, GLint i) {
-    if (i < 0) return set_error(c, GL_INVALID_VALUE);
-    send_element(c.client, i);
+void array_element(Context& context, GLint i) {
+    if (i < 0) return set_error(context, GL_INVALID_VALUE);
+    send_element(context.client, i);
 }
 
-void play_elements(Context& c, const Elements& elements) {
-    c.calls.is_one_call = true;
-    const CurrentState kept = c.state.current;
-    elements->play(c);
-    c.state.current = kept;
-    c.calls.is_one_call = false;
+void play_elements(Context& context, const Elements& elements) {
+    context.calls.is_one_call = true;
+    const CurrentState kept = context.state.current;
+    elements->play(context);
+    context.state.current = kept;
+    context.calls.is_one_call = false;
 }
 
-void draw_arrays(Context& c, GLenum mode, GLint first, GLsizei count) {
-    if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);
-    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
-    if (count < 0 || first < 0) return set_error(c, GL_INVALID_VALUE);
+void draw_arrays(Context& context, GLenum mode, GLint first, GLsizei count) {
+    if (context.assembler.inside && !context.lists.open)
+        return set_error(context, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(context, GL_INVALID_ENUM);
+    if (count < 0 || first < 0) return set_error(context, GL_INVALID_VALUE);
     const auto index_of = [&](GLsizei i) { return first + i; };
-    if (c.lists.open) return list_elements(c, Function::DrawArrays, mode, count, index_of);
-    draw_elements_one_by_one(c, mode, count, index_of);
+    if (context.lists.open)
+        return list_elements(context, Function::DrawArrays, mode, count, index_of);
+    draw_elements_one_by_one(context, mode, count, index_of);
 }
 
-void draw_elements(Context& c, GLenum mode, GLsizei count, GLenum type, const GLvoid* indices) {
-    if (c.assembler.inside && !c.lists.open) return set_error(c, GL_INVALID_OPERATION);
-    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
-    if (count < 0) return set_error(c, GL_INVALID_VALUE);
+void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type,
+                   const GLvoid* indices) {
+    if (context.assembler.inside && !context.lists.open)
+        return set_error(context, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(context, GL_INVALID_ENUM);
+    if (count < 0) return set_error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
-        return set_error(c, GL_INVALID_ENUM);
+        return set_error(context, GL_INVALID_ENUM);
     if (indices == nullptr) return;
     const auto index_of = [&](GLsizei i) { return index_at(type, indices, i); };
-    if (c.lists.open) return list_elements(c, Function::DrawElements, mode, count, index_of);
-    if (!draw_shared(c, mode, count, index_of)) draw_elements_one_by_one(c, mode, count, index_of);
+    if (context.lists.open)
+        return list_elements(context, Function::DrawElements, mode, count, index_of);
+    if (!draw_shared(context, mode, count, index_of))
+        draw_elements_one_by_one(context, mode, count, index_of);
 }
 
 /// The range is a hint. EXT_draw_range_elements
-void draw_range_elements(Context& c, GLenum mode, GLuint start, GLuint end, GLsizei count,
+void draw_range_elements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count,
                          GLenum type, const GLvoid* indices) {
-    if (end < start && !c.assembler.inside) return set_error(c, GL_INVALID_VALUE);
-    draw_elements(c, mode, count, type, indices);
+    if (end < start && !context.assembler.inside) return set_error(context, GL_INVALID_VALUE);
+    draw_elements(context, mode, count, type, indices);
 }
 
 }  // namespace execute

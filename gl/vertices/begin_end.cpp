@@ -13,10 +13,10 @@ namespace gw::gl {
 namespace {
 
 /// The index of the material of vertices that are added now. `is_first`: the mesh has none yet.
-std::uint32_t material_index(Context& c, bool is_first) {
-    Assembler& a = c.assembler;
+std::uint32_t material_index(Context& context, bool is_first) {
+    Assembler& a = context.assembler;
     if (is_first || a.material_changed) [[unlikely]] {
-        a.materials.push_back(face_materials(c));
+        a.materials.push_back(face_materials(context));
         a.material_changed = false;
     }
     return static_cast<std::uint32_t>(a.materials.size() - 1);
@@ -24,74 +24,76 @@ std::uint32_t material_index(Context& c, bool is_first) {
 
 }  // namespace
 
-void add_vertex(Context& c, AssembledVertex v) {
-    Assembler& a = c.assembler;
+void add_vertex(Context& context, AssembledVertex v) {
+    Assembler& a = context.assembler;
     if (!a.inside || !all_finite(v.position)) return;
-    v.edge_and_material = material_index(c, a.mesh.empty()) << 1 | (v.edge_and_material & 1u);
+    v.edge_and_material = material_index(context, a.mesh.empty()) << 1 | (v.edge_and_material & 1u);
     a.mesh.add(v);
     if (calls_are_kept) [[unlikely]]
-        a.run_calls.add(c.calls.now);
+        a.run_calls.add(context.calls.now);
 }
 
-void add_vertices(Context& c, std::span<const AssembledVertex> added) {
-    Assembler& a = c.assembler;
+void add_vertices(Context& context, std::span<const AssembledVertex> added) {
+    Assembler& a = context.assembler;
     const bool whole = std::all_of(added.begin(), added.end(),
                                    [](const auto& v) { return all_finite(v.position); });
     if (!a.inside || !whole) {
-        for (const AssembledVertex& v : added) add_vertex(c, v);
+        for (const AssembledVertex& v : added) add_vertex(context, v);
         return;
     }
-    const std::uint32_t material = material_index(c, a.mesh.empty());
+    const std::uint32_t material = material_index(context, a.mesh.empty());
     a.mesh.add(added, material);
     if (calls_are_kept)
-        for (std::size_t i = 0; i < added.size(); ++i) a.run_calls.add(c.calls.now);
+        for (std::size_t i = 0; i < added.size(); ++i) a.run_calls.add(context.calls.now);
 }
 
 namespace execute {
 
-void begin(Context& c, GLenum mode) {
-    Assembler& a = c.assembler;
-    if (a.inside) return set_error(c, GL_INVALID_OPERATION);
-    if (mode > GL_POLYGON) return set_error(c, GL_INVALID_ENUM);
-    const bool whole_strips = c.state.line.stipple || c.selection.mode == GL_FEEDBACK;
-    if (!a.mesh.takes(mode, whole_strips)) flush_mesh(c);
+void begin(Context& context, GLenum mode) {
+    Assembler& a = context.assembler;
+    if (a.inside) return set_error(context, GL_INVALID_OPERATION);
+    if (mode > GL_POLYGON) return set_error(context, GL_INVALID_ENUM);
+    const bool whole_strips = context.state.line.stipple || context.selection.mode == GL_FEEDBACK;
+    if (!a.mesh.takes(mode, whole_strips)) flush_mesh(context);
     a.mesh.begin(mode, whole_strips);
     if (calls_are_kept) a.run_calls.begin(mode, a.mesh);
     a.inside = true;
 }
 
-void end(Context& c) {
-    if (!c.assembler.inside) return set_error(c, GL_INVALID_OPERATION);
-    c.assembler.mesh.end();
-    if (calls_are_kept) c.assembler.run_calls.end(c.assembler.mesh, c.calls.runs);
-    c.assembler.inside = false;
+void end(Context& context) {
+    if (!context.assembler.inside) return set_error(context, GL_INVALID_OPERATION);
+    context.assembler.mesh.end();
+    if (calls_are_kept) context.assembler.run_calls.end(context.assembler.mesh, context.calls.runs);
+    context.assembler.inside = false;
 }
 
-void vertex(Context& c, float x, float y, float z, float w) {
-    AssembledVertex v = current_vertex(c.state.current);
+void vertex(Context& context, float x, float y, float z, float w) {
+    AssembledVertex v = current_vertex(context.state.current);
     v.position = {x, y, z, w};
-    add_vertex(c, v);
+    add_vertex(context, v);
 }
 
-void color(Context& c, float red, float green, float blue, float alpha) {
-    c.state.current.color = finite(vec4(red, green, blue, alpha));
+void color(Context& context, float red, float green, float blue, float alpha) {
+    context.state.current.color = finite(vec4(red, green, blue, alpha));
 }
-void tex_coord(Context& c, float s, float t, float r, float q) {
-    c.state.current.texcoord = finite(vec4(s, t, r, q));
+void tex_coord(Context& context, float s, float t, float r, float q) {
+    context.state.current.texcoord = finite(vec4(s, t, r, q));
 }
-void normal(Context& c, float x, float y, float z) {
-    c.state.current.normal = vec3(finite(vec4(x, y, z, 0)));
+void normal(Context& context, float x, float y, float z) {
+    context.state.current.normal = vec3(finite(vec4(x, y, z, 0)));
 }
-void edge_flag(Context& c, GLboolean flag) { c.state.current.edge_flag = flag != GL_FALSE; }
-void index(Context& c, float value) { c.state.current.index = value; }
+void edge_flag(Context& context, GLboolean flag) {
+    context.state.current.edge_flag = flag != GL_FALSE;
+}
+void index(Context& context, float value) { context.state.current.index = value; }
 
-void rect(Context& c, double x1, double y1, double x2, double y2) {
-    begin(c, GL_POLYGON);
-    vertex(c, float(x1), float(y1), 0, 1);
-    vertex(c, float(x2), float(y1), 0, 1);
-    vertex(c, float(x2), float(y2), 0, 1);
-    vertex(c, float(x1), float(y2), 0, 1);
-    end(c);
+void rect(Context& context, double x1, double y1, double x2, double y2) {
+    begin(context, GL_POLYGON);
+    vertex(context, float(x1), float(y1), 0, 1);
+    vertex(context, float(x2), float(y1), 0, 1);
+    vertex(context, float(x2), float(y2), 0, 1);
+    vertex(context, float(x1), float(y2), 0, 1);
+    end(context);
 }
 
 }  // namespace execute

@@ -10,7 +10,7 @@ namespace gw::gl {
 struct Context;
 
 /// Not a finite position, or not between Begin and End: the vertex is dropped.
-void add_vertex(Context& c, AssembledVertex v);
-void add_vertices(Context& c, std::span<const AssembledVertex> added);
+void add_vertex(Context& context, AssembledVertex v);
+void add_vertices(Context& context, std::span<const AssembledVertex> added);
 
 }  // namespace gw::gl

@@ -121,9 +121,9 @@ int last_enabled(const std::array<bool, map_count>& enable, int first, int last)
 
 /// A vertex of the enabled maps' values; `value(map)` evaluates one.
 template <class Evaluate>
-void add_evaluated(Context& c, const std::array<bool, map_count>& enable, Evaluate value,
+void add_evaluated(Context& context, const std::array<bool, map_count>& enable, Evaluate value,
                    const vec3* normal) {
-    AssembledVertex v = current_vertex(c.state.current);
+    AssembledVertex v = current_vertex(context.state.current);
     if (enable[ColorMap]) v.color = as_vec4(value(ColorMap));
     if (enable[NormalMap]) v.normal = vec3(as_vec4(value(NormalMap)));
     if (normal != nullptr) v.normal = *normal;
@@ -132,7 +132,7 @@ void add_evaluated(Context& c, const std::array<bool, map_count>& enable, Evalua
     const int map = last_enabled(enable, Vertex3, Vertex4);
     if (map < 0) return;
     v.position = as_vec4(value(map));
-    add_vertex(c, v);
+    add_vertex(context, v);
 }
 
 double grid_value(int i, int segments, double first, double last) {
@@ -142,9 +142,9 @@ double grid_value(int i, int segments, double first, double last) {
 double grid1(const EvalState& s, int i) {
     return grid_value(i, s.grid1_segments, s.grid1_u1, s.grid1_u2);
 }
-void eval_grid_point(Context& c, int i, int j) {
-    const EvalState& s = c.state.eval;
-    execute::eval_coord2(c, grid_value(i, s.grid2_segments[0], s.grid2_u1, s.grid2_u2),
+void eval_grid_point(Context& context, int i, int j) {
+    const EvalState& s = context.state.eval;
+    execute::eval_coord2(context, grid_value(i, s.grid2_segments[0], s.grid2_u1, s.grid2_u2),
                          grid_value(j, s.grid2_segments[1], s.grid2_v1, s.grid2_v2));
 }
 
@@ -189,54 +189,56 @@ Numbers control_points(GLenum target, GLint ustride, GLint uorder, GLint vstride
 
 namespace execute {
 
-void map1(Context& c, GLenum target, double u1, double u2, GLint stride, GLint order,
+void map1(Context& context, GLenum target, double u1, double u2, GLint stride, GLint order,
           const Numbers& points) {
     const GLenum error = map_error(is_map1(target), u1 == u2, stride, order, map_size(target));
-    if (error != GL_NO_ERROR) return set_error(c, error);
+    if (error != GL_NO_ERROR) return set_error(context, error);
     if (points->empty()) return;
-    c.evaluators.map1[target - GL_MAP1_COLOR_4] = {u1, u2, order, *points};
+    context.evaluators.map1[target - GL_MAP1_COLOR_4] = {u1, u2, order, *points};
 }
 
-void map2(Context& c, GLenum target, double u1, double u2, GLint ustride, GLint uorder, double v1,
-          double v2, GLint vstride, GLint vorder, const Numbers& points) {
+void map2(Context& context, GLenum target, double u1, double u2, GLint ustride, GLint uorder,
+          double v1, double v2, GLint vstride, GLint vorder, const Numbers& points) {
     const int size = map_size(target);
     for (const GLenum error : {map_error(is_map2(target), u1 == u2, ustride, uorder, size),
                                map_error(is_map2(target), v1 == v2, vstride, vorder, size)})
-        if (error != GL_NO_ERROR) return set_error(c, error);
+        if (error != GL_NO_ERROR) return set_error(context, error);
     if (points->empty()) return;
-    c.evaluators.map2[target - GL_MAP2_COLOR_4] = {u1, u2, v1, v2, uorder, vorder, *points};
+    context.evaluators.map2[target - GL_MAP2_COLOR_4] = {u1, u2, v1, v2, uorder, vorder, *points};
 }
 
-void eval_coord1(Context& c, double u) {
+void eval_coord1(Context& context, double u) {
     const auto value = [&](int map) {
-        return evaluate(c.evaluators.map1[std::size_t(map)], map_sizes[std::size_t(map)], u);
+        return evaluate(context.evaluators.map1[std::size_t(map)], map_sizes[std::size_t(map)], u);
     };
-    add_evaluated(c, c.state.eval.map1, value, nullptr);
+    add_evaluated(context, context.state.eval.map1, value, nullptr);
 }
 
-void eval_coord2(Context& c, double u, double v) {
-    const auto& enable = c.state.eval.map2;
+void eval_coord2(Context& context, double u, double v) {
+    const auto& enable = context.state.eval.map2;
     const auto value = [&](int map) {
-        return evaluate(c.evaluators.map2[std::size_t(map)], map_sizes[std::size_t(map)], u, v);
+        return evaluate(context.evaluators.map2[std::size_t(map)], map_sizes[std::size_t(map)], u,
+                        v);
     };
     const int map = last_enabled(enable, Vertex3, Vertex4);
-    if (!c.state.eval.auto_normal || map < 0) return add_evaluated(c, enable, value, nullptr);
-    const vec3 normal =
-        surface_normal(c.evaluators.map2[std::size_t(map)], map_sizes[std::size_t(map)], u, v);
-    add_evaluated(c, enable, value, &normal);
+    if (!context.state.eval.auto_normal || map < 0)
+        return add_evaluated(context, enable, value, nullptr);
+    const vec3 normal = surface_normal(context.evaluators.map2[std::size_t(map)],
+                                       map_sizes[std::size_t(map)], u, v);
+    add_evaluated(context, enable, value, &normal);
 }
 
-void map_grid1(Context& c, GLint un, double u1, double u2) {
-    if (un < 1) return set_error(c, GL_INVALID_VALUE);
-    EvalState& s = c.state.eval;
+void map_grid1(Context& context, GLint un, double u1, double u2) {
+    if (un < 1) return set_error(context, GL_INVALID_VALUE);
+    EvalState& s = context.state.eval;
     s.grid1_segments = un;
     s.grid1_u1 = u1;
     s.grid1_u2 = u2;
 }
 
-void map_grid2(Context& c, GLint un, double u1, double u2, GLint vn, double v1, double v2) {
-    if (un < 1 || vn < 1) return set_error(c, GL_INVALID_VALUE);
-    EvalState& s = c.state.eval;
+void map_grid2(Context& context, GLint un, double u1, double u2, GLint vn, double v1, double v2) {
+    if (un < 1 || vn < 1) return set_error(context, GL_INVALID_VALUE);
+    EvalState& s = context.state.eval;
     s.grid2_segments = {un, vn};
     s.grid2_u1 = u1;
     s.grid2_u2 = u2;
@@ -244,48 +246,48 @@ void map_grid2(Context& c, GLint un, double u1, double u2, GLint vn, double v1, 
     s.grid2_v2 = v2;
 }
 
-void eval_point1(Context& c, GLint i) { eval_coord1(c, grid1(c.state.eval, i)); }
-void eval_point2(Context& c, GLint i, GLint j) { eval_grid_point(c, i, j); }
+void eval_point1(Context& context, GLint i) { eval_coord1(context, grid1(context.state.eval, i)); }
+void eval_point2(Context& context, GLint i, GLint j) { eval_grid_point(context, i, j); }
 
-void eval_mesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-    if (mode != GL_POINT && mode != GL_LINE) return set_error(c, GL_INVALID_ENUM);
-    if (is_too_large(i1, i2, 0, 0)) return set_error(c, GL_OUT_OF_MEMORY);
-    begin(c, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
-    for_each_from_to(i1, i2, [&](GLint i) { eval_point1(c, i); });
-    end(c);
+void eval_mesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
+    if (mode != GL_POINT && mode != GL_LINE) return set_error(context, GL_INVALID_ENUM);
+    if (is_too_large(i1, i2, 0, 0)) return set_error(context, GL_OUT_OF_MEMORY);
+    begin(context, mode == GL_POINT ? GL_POINTS : GL_LINE_STRIP);
+    for_each_from_to(i1, i2, [&](GLint i) { eval_point1(context, i); });
+    end(context);
 }
 
-void eval_mesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
+void eval_mesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
     if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL)
-        return set_error(c, GL_INVALID_ENUM);
-    if (is_too_large(i1, i2, j1, j2)) return set_error(c, GL_OUT_OF_MEMORY);
+        return set_error(context, GL_INVALID_ENUM);
+    if (is_too_large(i1, i2, j1, j2)) return set_error(context, GL_OUT_OF_MEMORY);
     if (mode == GL_POINT) {
-        begin(c, GL_POINTS);
+        begin(context, GL_POINTS);
         for_each_from_to(j1, j2, [&](GLint j) {
-            for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(c, i, j); });
+            for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(context, i, j); });
         });
-        return end(c);
+        return end(context);
     }
     if (mode == GL_FILL) {
         if (j1 >= j2) return;
         return for_each_from_to(j1, j2 - 1, [&](GLint j) {
-            begin(c, GL_QUAD_STRIP);
+            begin(context, GL_QUAD_STRIP);
             for_each_from_to(i1, i2, [&](GLint i) {
-                eval_grid_point(c, i, j);
-                eval_grid_point(c, i, j + 1);
+                eval_grid_point(context, i, j);
+                eval_grid_point(context, i, j + 1);
             });
-            end(c);
+            end(context);
         });
     }
     for_each_from_to(j1, j2, [&](GLint j) {
-        begin(c, GL_LINE_STRIP);
-        for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(c, i, j); });
-        end(c);
+        begin(context, GL_LINE_STRIP);
+        for_each_from_to(i1, i2, [&](GLint i) { eval_grid_point(context, i, j); });
+        end(context);
     });
     for_each_from_to(i1, i2, [&](GLint i) {
-        begin(c, GL_LINE_STRIP);
-        for_each_from_to(j1, j2, [&](GLint j) { eval_grid_point(c, i, j); });
-        end(c);
+        begin(context, GL_LINE_STRIP);
+        for_each_from_to(j1, j2, [&](GLint j) { eval_grid_point(context, i, j); });
+        end(context);
     });
 }
 

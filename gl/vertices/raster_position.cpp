@@ -28,8 +28,8 @@ bool is_inside(const Vertex& v) {
 /// matrices are rounded. Else a bitmap may be one pixel off.
 double on_grid(double pixels) { return std::floor(pixels * 0x1p12 + 0.5) * 0x1p-12; }
 
-double eye_depth(const Context& c, const dvec4& p) {
-    const dvec4 eye = transform(c.matrices.modelview.top(), p);
+double eye_depth(const Context& context, const dvec4& p) {
+    const dvec4 eye = transform(context.matrices.modelview.top(), p);
     return eye_point(eye).z;
 }
 
@@ -37,22 +37,22 @@ double eye_depth(const Context& c, const dvec4& p) {
 
 namespace execute {
 
-void raster_pos(Context& c, double x, double y, double z, double w) {
-    CurrentState::Raster& raster = c.state.current.raster;
+void raster_pos(Context& context, double x, double y, double z, double w) {
+    CurrentState::Raster& raster = context.state.current.raster;
     raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z)) &&
                    std::isfinite(float(w));
     if (!raster.valid) return;
-    update_machine_state(c);
-    const gw::State& state = c.translated.state;
-    const AssembledVertex values = current_vertex(c.state.current);
+    update_machine_state(context);
+    const gw::State& state = context.translated.state;
+    const AssembledVertex values = current_vertex(context.state.current);
     MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
     point.primitive = Primitive::Points;
     const Draw draw = with_texture_coordinates(
-        make_draw(c, make_mesh(std::move(point)), values, face_materials(c)));
-    const VertexProgram program = vertex_program(state, draw, c.profile);
+        make_draw(context, make_mesh(std::move(point)), values, face_materials(context)));
+    const VertexProgram program = vertex_program(state, draw, context.profile);
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =
-        resolve(state, c.profile, max_window_size, max_window_size).viewport;
+        resolve(state, context.profile, max_window_size, max_window_size).viewport;
     raster.valid = is_inside(vertex) && !clip({vertex}, viewport).vertices.empty();
     if (!raster.valid) return;
     const double n = state.depth_range.near_value, f = state.depth_range.far_value;
@@ -60,28 +60,28 @@ void raster_pos(Context& c, double x, double y, double z, double w) {
     raster.position = {on_grid((vertex.clip.x / cw) * viewport.half_width + viewport.center_x),
                        on_grid((vertex.clip.y / cw) * viewport.half_height + viewport.center_y),
                        (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
-    raster.distance = finite(std::abs(eye_depth(c, {x, y, z, w})));
-    const auto largest = float((1u << c.profile.color_bits) - 1);
+    raster.distance = finite(std::abs(eye_depth(context, {x, y, z, w})));
+    const auto largest = float((1u << context.profile.color_bits) - 1);
     for (int i = 0; i < 4; ++i) {
         raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
         raster.texcoord[i] = float(finite(vertex.texcoord[i]));
     }
-    raster.index = c.state.current.index;
-    report_depth(c, raster.position.z);
+    raster.index = context.state.current.index;
+    report_depth(context, raster.position.z);
 }
 
 /// No transform, no clipping, no lighting: the current values as they are.
-void window_pos(Context& c, double x, double y, double z) {
-    CurrentState::Raster& raster = c.state.current.raster;
+void window_pos(Context& context, double x, double y, double z) {
+    CurrentState::Raster& raster = context.state.current.raster;
     raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z));
     if (!raster.valid) return;
-    const double n = c.state.viewport.near_value, f = c.state.viewport.far_value;
+    const double n = context.state.viewport.near_value, f = context.state.viewport.far_value;
     raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), 1};
     raster.distance = 0;
-    raster.color = glm::clamp(c.state.current.color, 0.0f, 1.0f);
-    raster.texcoord = c.state.current.texcoord;
-    raster.index = c.state.current.index;
-    report_depth(c, raster.position.z);
+    raster.color = glm::clamp(context.state.current.color, 0.0f, 1.0f);
+    raster.texcoord = context.state.current.texcoord;
+    raster.index = context.state.current.index;
+    report_depth(context, raster.position.z);
 }
 
 }  // namespace execute
