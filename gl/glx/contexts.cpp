@@ -34,7 +34,7 @@ bool check_config(Display* display, GLXFBConfig config, int request) {
 }
 
 /// The attributes of GLX_ARB_create_context.
-struct Wanted {
+struct ContextRequest {
     int major = 1, minor = 0;
     int flags = 0, profile = GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB;
     int render_type = GLX_RGBA_TYPE;
@@ -43,28 +43,28 @@ struct Wanted {
 constexpr int known_flags = GLX_CONTEXT_DEBUG_BIT_ARB | GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB;
 
 /// False if a name or value is unknown.
-bool read_wanted(Wanted& wanted, const int* list) {
+bool read_request(ContextRequest& request, const int* list) {
     for (; list != nullptr && list[0] != 0; list += 2) {
         switch (list[0]) {
-            case GLX_CONTEXT_MAJOR_VERSION_ARB: wanted.major = list[1]; break;
-            case GLX_CONTEXT_MINOR_VERSION_ARB: wanted.minor = list[1]; break;
-            case GLX_CONTEXT_FLAGS_ARB: wanted.flags = list[1]; break;
-            case GLX_CONTEXT_PROFILE_MASK_ARB: wanted.profile = list[1]; break;
-            case GLX_RENDER_TYPE: wanted.render_type = list[1]; break;
+            case GLX_CONTEXT_MAJOR_VERSION_ARB: request.major = list[1]; break;
+            case GLX_CONTEXT_MINOR_VERSION_ARB: request.minor = list[1]; break;
+            case GLX_CONTEXT_FLAGS_ARB: request.flags = list[1]; break;
+            case GLX_CONTEXT_PROFILE_MASK_ARB: request.profile = list[1]; break;
+            case GLX_RENDER_TYPE: request.render_type = list[1]; break;
             default: return false;
         }
     }
     const bool is_type =
-        wanted.render_type == GLX_RGBA_TYPE || wanted.render_type == GLX_COLOR_INDEX_TYPE;
-    return is_type && (wanted.flags & ~known_flags) == 0;
+        request.render_type == GLX_RGBA_TYPE || request.render_type == GLX_COLOR_INDEX_TYPE;
+    return is_type && (request.flags & ~known_flags) == 0;
 }
 
 /// Whether OpenGL has such a version, and the version such a feature.
-bool exists(const Wanted& wanted) {
+bool exists(const ContextRequest& request) {
     constexpr int last_minor[] = {5, 1, 3, 6};  // of 1, 2, 3, 4
-    if (wanted.major < 1 || wanted.major > 4) return false;
-    if (wanted.minor < 0 || wanted.minor > last_minor[wanted.major - 1]) return false;
-    return wanted.major >= 3 || (wanted.flags & GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB) == 0;
+    if (request.major < 1 || request.major > 4) return false;
+    if (request.minor < 0 || request.minor > last_minor[request.major - 1]) return false;
+    return request.major >= 3 || (request.flags & GLX_CONTEXT_FORWARD_COMPATIBLE_BIT_ARB) == 0;
 }
 
 /// Whether it is a profile; it counts from version 3.2 on only.
@@ -74,7 +74,7 @@ bool is_profile(int mask) {
 }
 
 /// Whether the machine has such a context: versions 1.0 and 1.1.
-bool is_offered(const Wanted& wanted) { return wanted.major == 1 && wanted.minor <= 1; }
+bool is_offered(const ContextRequest& request) { return request.major == 1 && request.minor <= 1; }
 
 /// The drawable of a name in MakeCurrent; null after an error.
 std::shared_ptr<Surface> surface_of(Display* display, XID name, GLXContext context, int request) {
@@ -169,8 +169,8 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
     constexpr int request = 34;  // X_GLXCreateContextAttribsARB
     return at_c_boundary([&]() -> GLXContext {
         if (!check_config(display, config, request)) return nullptr;
-        Wanted wanted;
-        if (!read_wanted(wanted, list)) return send_error(display, BadValue, 0, request), nullptr;
+        ContextRequest wanted;
+        if (!read_request(wanted, list)) return send_error(display, BadValue, 0, request), nullptr;
         if (!is_profile(wanted.profile))
             return send_error(display, GlxError::Profile, 0, request), nullptr;
         if (!exists(wanted) || wanted.render_type != GLX_RGBA_TYPE)

@@ -20,16 +20,16 @@ namespace gw::gl {
 namespace {
 
 /// An image's place: a bound object's level, or a proxy's.
-struct Place {
+struct ImagePlace {
     std::size_t index = 0;  ///< of the target
     bool is_proxy = false;
 };
 
-std::optional<Place> place_of(GLenum target) {
-    if (target == GL_PROXY_TEXTURE_1D) return Place{0, true};
-    if (target == GL_PROXY_TEXTURE_2D) return Place{1, true};
+std::optional<ImagePlace> place_of(GLenum target) {
+    if (target == GL_PROXY_TEXTURE_1D) return ImagePlace{0, true};
+    if (target == GL_PROXY_TEXTURE_2D) return ImagePlace{1, true};
     const auto index = target_index(target);
-    return index ? std::optional(Place{*index, false}) : std::nullopt;
+    return index ? std::optional(ImagePlace{*index, false}) : std::nullopt;
 }
 
 bool fits_level(int size, int border, int level) {
@@ -75,7 +75,7 @@ std::span<Rgba> colors_of(TextureImage& image) {
 }
 
 /// Replaces an image. `image` has all four channels, whatever the format keeps of them.
-void set_image(Context& context, const Place& place, GLint level, TextureImage image) {
+void set_image(Context& context, const ImagePlace& place, GLint level, TextureImage image) {
     begin_change(context);
     complete(machine_format(image.internal_format), image.texels.edit());
     const auto lock = context.shared->exclusive();
@@ -83,7 +83,7 @@ void set_image(Context& context, const Place& place, GLint level, TextureImage i
 }
 
 /// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
-void set_proxy(Context& context, const Place& place, const Request& r, GLenum error) {
+void set_proxy(Context& context, const ImagePlace& place, const Request& r, GLenum error) {
     if (!is_legal(r)) return set_error(context, GL_INVALID_VALUE);
     TextureImage& image = context.textures.proxy[place.index][std::size_t(r.level)];
     image = error != GL_NO_ERROR ? TextureImage{.internal_format = 0}
@@ -107,7 +107,7 @@ void tex_image(Context& context, GLenum target, const Request& r, GLenum format,
 }
 
 /// The part of a bound object's level that a call replaces.
-struct Part {
+struct ReplacedPart {
     TextureObject& object;
     std::size_t level;
     Rect rect;  ///< counts from the border
@@ -115,7 +115,8 @@ struct Part {
 
 /// None, and the error is set: there is no image, or the part is not inside it. Offsets count from
 /// inside the border.
-std::optional<Part> replaced_part(Context& context, GLenum target, GLint level, const Rect& part) {
+std::optional<ReplacedPart> replaced_part(Context& context, GLenum target, GLint level,
+                                          const Rect& part) {
     const auto index = target_index(target);
     if (!index) return set_error(context, GL_INVALID_ENUM), std::nullopt;
     if (level < 0 || level >= level_count)
@@ -130,14 +131,14 @@ std::optional<Part> replaced_part(Context& context, GLenum target, GLint level, 
     if (!inside(part.x, part.width, image.width, image.border) ||
         !inside(part.y, part.height, image.height, border_t))
         return set_error(context, GL_INVALID_VALUE), std::nullopt;
-    return Part{object,
-                std::size_t(level),
-                {part.x + image.border, part.y + border_t, part.width, part.height}};
+    return ReplacedPart{object,
+                        std::size_t(level),
+                        {part.x + image.border, part.y + border_t, part.width, part.height}};
 }
 
 /// A frame that draws with the texels keeps them as they are, so that they would be copied. If they
 /// are many and the part is small, it costs less to execute the frame.
-void release_texels(Context& context, const Part& part) {
+void release_texels(Context& context, const ReplacedPart& part) {
     constexpr std::size_t many = 512 * 512;
     const std::size_t texels = part.object.levels[part.level].texels.size() / 4;
     if (texels < many || 4 * part.rect.area() > texels || context.drawable == nullptr) return;
@@ -148,7 +149,7 @@ void release_texels(Context& context, const Part& part) {
     context.drawable->flush(Cause::Texture);
 }
 
-void replace(Context& context, const Part& part, const std::vector<Rgba>& colors) {
+void replace(Context& context, const ReplacedPart& part, const std::vector<Rgba>& colors) {
     if (part.rect.area() == 0) return;
     begin_change(context);
     release_texels(context, part);
@@ -160,7 +161,7 @@ void tex_sub_image(Context& context, GLenum target, GLint level, const Rect& rec
                    GLenum type, const HostImage& host) {
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
     if (!is_texel_format(format)) return set_error(context, GL_INVALID_ENUM);
-    const std::optional<Part> part = replaced_part(context, target, level, rect);
+    const std::optional<ReplacedPart> part = replaced_part(context, target, level, rect);
     if (!part || !host.is_given()) return;
     replace(context, *part,
             host_rgba(context, rect.width, rect.height, format, type, host, texel_bits));
@@ -187,7 +188,7 @@ void copy_image(Context& context, GLenum target, const Request& r, GLint x, GLin
 }
 
 void copy_part(Context& context, GLenum target, GLint level, const Rect& rect, GLint x, GLint y) {
-    const std::optional<Part> part = replaced_part(context, target, level, rect);
+    const std::optional<ReplacedPart> part = replaced_part(context, target, level, rect);
     if (!part || context.read_drawable == nullptr || rect.area() == 0) return;
     replace(context, *part, copied_colors(context, {x, y, rect.width, rect.height}));
 }
