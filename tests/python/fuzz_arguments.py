@@ -26,9 +26,9 @@ SCENES = pathlib.Path(__file__).parents[2] / "scenes"
 # Beside those of the package itself.
 MODULES = {"hidden": (gw.hidden, gw.hidden.__all__), "conformance": (gw.conformance, ["run"]),
            "testing": (gw.testing, ["expect_planes_equal", "expect_passes_equal"])}
-RIGHT = (gw.Error, pytest.fail.Exception, TypeError, ValueError, IndexError, KeyError, AttributeError, OverflowError,
-         MemoryError, OSError,
-         StopIteration, ZeroDivisionError, UnicodeError, KeyboardInterrupt, RecursionError)
+RIGHT = (gw.Error, pytest.fail.Exception, TypeError, ValueError, IndexError, KeyError,
+         AttributeError, OverflowError, MemoryError, OSError, StopIteration, ZeroDivisionError,
+         UnicodeError, KeyboardInterrupt, RecursionError)
 SECONDS = 2  # after which a call is interrupted, as by Ctrl-C
 
 
