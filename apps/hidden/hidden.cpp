@@ -291,7 +291,7 @@ int surfaces(const HiddenOptions& options, Session& session) {
         warn_of_coarse(algorithm->name, log);
         all.push_back({algorithm, std::move(result), std::move(log)});
     }
-    warn_of_one_plane(input, all);
+    if (!options.picture.quiet) warn_of_one_plane(input, all);
     progress.at("writing");
     if (!options.steps.empty()) put_all_steps(output, options, input, all);
     if (!options.compare.empty()) put_comparison(output, options.compare, input, all);

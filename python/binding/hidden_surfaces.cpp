@@ -6,6 +6,7 @@
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
 #include "hiddensurface/run/step_words.h"
+#include "scene/validate/warnings_of.h"
 
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
@@ -48,6 +49,13 @@ RunRef projected(const scene::Scene& scene, const std::optional<scene::Camera>& 
         [&] { return std::make_shared<HiddenRun>(copy, camera, width, height, profile); });
 }
 
+RunRef with_warnings(RunRef run) {
+    const SceneInView& now = run->in_view;
+    warn(without_lock(
+        [&] { return scene::warnings_of(now.scene, now.view, scene::DrawnBy::Depth); }));
+    return run;
+}
+
 void run(HiddenRun& run, const hs::Algorithm& algorithm, int threads) {
     run.name = algorithm.name;
     run.title = algorithm.title;
@@ -69,7 +77,7 @@ RunRef run_algorithm(const scene::Scene& scene, const std::string& name, hs::Lev
                      double limit, int threads) {
     const hs::Algorithm& algorithm = hs::algorithm_named(name);
     check_range("limit", limit, 0, 1e9);
-    const RunRef out = projected(scene, camera, width, height, profile);
+    const RunRef out = with_warnings(projected(scene, camera, width, height, profile));
     out->level = level;
     const hs::Estimate estimate = hs::estimate(algorithm, out->input);
     if (limit > 0 && hs::is_beyond(estimate, limit))
@@ -188,7 +196,7 @@ void add_hidden_surfaces(py::module_& m) {
         "hidden_polygons_json",
         [](const scene::Scene& scene, int width, int height, const Profile& profile,
            const std::optional<scene::Camera>& camera) {
-            const RunRef run = projected(scene, camera, width, height, profile);
+            const RunRef run = with_warnings(projected(scene, camera, width, height, profile));
             return hs::polygons_json(run->input, hs::hex_colors(run->input));
         },
         py::arg("scene"), py::kw_only(), py::arg("width") = 320, py::arg("height") = 240,

@@ -52,3 +52,25 @@ def test_planes_that_count_as_one_are_named():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         gw.hidden.run(scene, "z-buffer", width=64, height=48)
+
+
+def flush_lamp():
+    """A lamp in the plane of its ceiling, and a line."""
+    scene = gw.Scene()
+    scene.add("ceiling", gw.make_rectangle(4, 4))
+    scene.add("lamp", gw.make_rectangle(1, 1), gw.SceneMaterial(name="light", Ke=(1, 1, 1)))
+    scene.add("wire", gw.Mesh("Lines", [[0, 1, 0], [1, 1, 0]]))
+    scene.camera = gw.Camera(eye=(0, 5, 3), at=(0, 0, 0))
+    return scene
+
+
+@pytest.mark.parametrize("use", [
+    lambda scene: gw.hidden.run(scene, "bsp", width=32, height=24),
+    lambda scene: gw.hidden.polygons(scene, width=32, height=24),
+], ids=["run", "polygons"])
+def test_every_door_warns_of_coincident_objects_and_lines(use):
+    with pytest.warns(UserWarning) as found:
+        use(flush_lamp())
+    texts = [str(warning.message) for warning in found]
+    assert any("'ceiling' and 'lamp' share a part of a plane" in text for text in texts)
+    assert any("lines and points are left out, as of object 'wire'" in text for text in texts)
