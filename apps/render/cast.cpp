@@ -115,7 +115,7 @@ Command add_cast(CLI::App& app) {
         ->type_name("IMAGE");
     command
         ->add_option("--tests", options->tests,
-                     "Also a picture of the tests that each pixel cost, the dearest white")
+                     "Also a picture of the tests that each pixel cost, the costliest white")
         ->type_name("IMAGE");
     command->footer(
         "Example:\n"
