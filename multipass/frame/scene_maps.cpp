@@ -68,7 +68,8 @@ std::array<scene::View, 6> views_from(const dvec3& p, const scene::Scene& s, int
         farthest += std::max(std::abs(b.low[k] - p[k]), std::abs(b.high[k] - p[k]));
     farthest = std::max(farthest, 1e-6);
     auto views = scene::cube_views(p, farthest * near_part, farthest, size);
-    for (scene::View& view : views) view = scene::sparing_near(view, s);
+    for (scene::View& view : views)
+        view = scene::sparing_near(view, s, scene::edge_on_in_map(view));
     return views;
 }
 

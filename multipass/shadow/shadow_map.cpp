@@ -154,7 +154,8 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Sce
     for (const scene::Object& object : scene.objects)
         if (object.casts_shadow && scene.materials[object.material].d >= 1)
             casting.objects.push_back(object);
-    for (scene::View& view : views) view = scene::sparing_near(view, casting);
+    for (scene::View& view : views)
+        view = scene::sparing_near(view, casting, scene::edge_on_in_map(view));
     return views;
 }
 

@@ -57,7 +57,8 @@ dvec3 seen(const dmat4& eye_from_object, const vec3& p) {
 
 class Finder {
 public:
-    Finder(const Opening& opening, double limit) : o_(opening), limit_(limit) {}
+    Finder(const Opening& opening, double limit, double edge_on)
+        : o_(opening), limit_(limit), edge_on_(edge_on) {}
 
     /// The smallest distance of a mesh's parts in the opening, if it is below the limit.
     double of(const Mesh& mesh, const dmat4& eye_from_object) {
@@ -69,13 +70,20 @@ public:
         }
         double nearest = limit_;
         if (!any) return nearest;
-        for (const Triangle& t : mesh.triangles()) look_at(t.vertex, nearest);
+        for (const Triangle& t : mesh.triangles())
+            if (edge_on_ <= 0 || !is_edge_on(t)) look_at(t.vertex, nearest);
         for (const auto& line : mesh.lines()) look_at(line, nearest);
         for (const std::uint32_t point : mesh.points()) look_at(std::array{point}, nearest);
         return nearest;
     }
 
 private:
+    bool is_edge_on(const Triangle& t) const {
+        const dvec3& a = points_[t.vertex[0]];
+        const dvec3 n = cross3(points_[t.vertex[1]] - a, points_[t.vertex[2]] - a);
+        return std::abs(dot3(n, a)) <= edge_on_ * length(n);
+    }
+
     template <std::size_t N>
     void look_at(const std::array<std::uint32_t, N>& corners, double& nearest) {
         const auto distance = [&](std::uint32_t i) { return points_[i].z; };
@@ -107,16 +115,16 @@ private:
     }
 
     const Opening& o_;
-    double limit_;
+    double limit_, edge_on_;
     std::vector<dvec3> points_, piece_, clipped_;
 };
 
 }  // namespace
 
-Nearest nearest_in(const View& view, const Scene& scene, double limit) {
+Nearest nearest_in(const View& view, const Scene& scene, double limit, double edge_on) {
     Nearest nearest;
     const Opening window = opening(view);
-    Finder finder(window, limit);
+    Finder finder(window, limit, edge_on);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         for (const double time : {0.0, -0.5, 0.5}) {
@@ -131,13 +139,15 @@ Nearest nearest_in(const View& view, const Scene& scene, double limit) {
     return nearest;
 }
 
-View sparing_near(const View& view, const Scene& scene) {
+View sparing_near(const View& view, const Scene& scene, double edge_on) {
     const double near_plane = view.camera.near_plane, far_plane = view.camera.far_plane;
-    const double nearest = nearest_in(view, scene, near_plane).distance;
+    const double nearest = nearest_in(view, scene, near_plane, edge_on).distance;
     if (nearest >= near_plane) return view;
     return with_planes(view, std::max(nearest * (1 - spared_margin), far_plane * least_spared_near),
                        far_plane);
 }
+
+double edge_on_in_map(const View& view) { return view.camera.far_plane * least_spared_near; }
 
 View fitted_view(const Camera& camera, const Scene& scene, const Bounds& bounds, int width,
                  int height) {

@@ -19,12 +19,17 @@ struct Nearest {
 
 /// The face, line or point in the view's window that comes nearest to the eye's plane, of those
 /// nearer than `limit`, whatever the view's planes are; none: the distance is infinite. Objects that
-/// move count where they begin, are and end.
-Nearest nearest_in(const View& view, const Scene& scene, double limit);
+/// move count where they begin, are and end. Faces whose planes pass the eye within `edge_on` do not
+/// count.
+Nearest nearest_in(const View& view, const Scene& scene, double limit, double edge_on = 0);
 
 /// The view with near before all that stands in its window, down to a 65536th of far. The camera's
-/// fov, ortho_height and planes are those of the matrices.
-View sparing_near(const View& view, const Scene& scene);
+/// fov, ortho_height and planes are those of the matrices. `edge_on` as of nearest_in.
+View sparing_near(const View& view, const Scene& scene, double edge_on = 0);
+
+/// For sparing_near of a map around a point, on which surfaces may lie: seen edge-on they hide
+/// nothing, and a nearer near plane would cost depth.
+double edge_on_in_map(const View& view);
 
 /// The camera's view of a scene whose bounds these are. A fitted near plane (make_view) spares what
 /// stands before it, as sparing_near. A fitted far plane lies behind objects that move.

@@ -146,6 +146,25 @@ TEST(LightViews, OfALightAmongTheBodiesBeginAtA4096thOfTheirReach) {
     }
 }
 
+/// A lamp's light lies on its face: edge-on it hides nothing, so depth need not reach to it.
+TEST(LightViews, OfALightOnAFaceBeginAsIfItWereNotThere) {
+    Case c;
+    c.lamp({0, 3, 0});
+    c.s.objects.push_back({.name = "lamp", .mesh = shape("rectangle", {})});
+    const auto planes = [](const std::vector<scene::View>& views) {
+        std::vector<double> planes;
+        for (const scene::View& view : views) planes.push_back(view.camera.near_plane);
+        return planes;
+    };
+    const auto of_bounds = [&] {
+        return planes(light_views(c.s.lights[0], scene::bounds(c.s), 64));
+    };
+    c.s.objects.back().world_from_object[3] = dvec4(0, 3, 0, 1);
+    EXPECT_EQ(planes(light_views(c.s.lights[0], c.s, 64)), of_bounds());
+    c.s.objects.back().world_from_object[3] = dvec4(0, 2.9995, 0, 1);
+    EXPECT_LT(planes(light_views(c.s.lights[0], c.s, 64))[3], of_bounds()[3]) << "downwards";
+}
+
 /// As wide as the cone and 2 % wider; at least a tenth of a degree.
 TEST(LightViews, OfASpotAreAsWideAsItsCone) {
     scene::Light light = point_light({0, 0, 0});
