@@ -3,6 +3,8 @@
 #include "radiosity/model/figures.h"
 #include "radiosity/solver/solver.h"
 #include "radiosity/solver/stall.h"
+#include "scene/draw/nearest.h"
+#include "scene/validate/warnings_of.h"
 
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
@@ -36,6 +38,7 @@ public:
             return std::make_unique<rd::Solver>(rd::make_model(scene_, options_), options);
         });
         watch();
+        warn(without_lock([&] { return scene::warnings_of(scene_, {}, scene::DrawnBy::Rays); }));
     }
 
     py::object shoot() {
@@ -148,8 +151,10 @@ public:
         check_range("brightness", brightness, 0, 1e9);
         const auto machine =
             std::make_shared<MachineHolder>(profile, width, height, false, 0, false);
+        std::string cut_off;
         const CommandList list = in_turn(turn_, [&] {
             const SceneInView now(scene_, camera, width, height);
+            cut_off = scene::near_warning(now.scene, now.view);
             const rd::Brightness scale{.scale = brightness, .background = scene_.background};
             const rd::PixmapModel& model = solver_->model();
             const auto colors = displayed_pixmaps(model, solver_->solution(), ambient);
@@ -157,6 +162,7 @@ public:
                           : rd::texture_list(model, colors, now.view, scale);
         });
         machine->execute(list);
+        if (!cut_off.empty()) warn({cut_off});
         return machine;
     }
 

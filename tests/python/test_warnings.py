@@ -3,6 +3,7 @@ import itertools
 import warnings
 
 import gw
+import numpy as np
 import pytest
 
 def room(Kd):
@@ -67,10 +68,23 @@ def flush_lamp():
 @pytest.mark.parametrize("use", [
     lambda scene: gw.hidden.run(scene, "bsp", width=32, height=24),
     lambda scene: gw.hidden.polygons(scene, width=32, height=24),
-], ids=["run", "polygons"])
+    lambda scene: gw.Radiosity(scene, hemicube=16, texels_per_unit=1),
+], ids=["run", "polygons", "radiosity"])
 def test_every_door_warns_of_coincident_objects_and_lines(use):
     with pytest.warns(UserWarning) as found:
         use(flush_lamp())
     texts = [str(warning.message) for warning in found]
     assert any("'ceiling' and 'lamp' share a part of a plane" in text for text in texts)
     assert any("lines and points are left out, as of object 'wire'" in text for text in texts)
+
+
+def test_a_picture_of_light_names_what_its_near_plane_cuts_off():
+    scene = gw.Scene()
+    scene.add("near", gw.make_rectangle(1, 1), gw.SceneMaterial(name="light", Ke=(1, 1, 1)))
+    far = np.eye(4)
+    far[:3, 3] = 0, -500, 0
+    scene.add("far", gw.make_box(), world_from_object=far)
+    scene.camera = gw.Camera(eye=(0, 0.001, 0.0001), at=(0, 0, 0))
+    light = gw.Radiosity(scene, hemicube=16, texels_per_unit=1)
+    with pytest.warns(UserWarning, match="'near' is cut off"):
+        light.draw(width=32, height=24)
