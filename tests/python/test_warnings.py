@@ -1,5 +1,6 @@
 """Input that is valid and not done as asked: one warning that names it, and never an endless loop."""
 import itertools
+import os
 import warnings
 
 import gw
@@ -88,3 +89,12 @@ def test_a_picture_of_light_names_what_its_near_plane_cuts_off():
     light = gw.Radiosity(scene, hemicube=16, texels_per_unit=1)
     with pytest.warns(UserWarning, match="'near' is cut off"):
         light.draw(width=32, height=24)
+
+
+def test_warnings_show_names_of_any_bytes(tmp_path):
+    """A name of a file may have bytes that are no UTF-8."""
+    file = os.fsencode(tmp_path) + b"/far\xff.obj"
+    with open(file, "w") as out:
+        out.write("v 4310000 54110000 0\nv 4310001 54110000 0\nv 4310000 54110001 0\nf 1 2 3\n")
+    with pytest.warns(UserWarning, match="far.*lies far from 0"):
+        gw.Scene.open(os.fsdecode(file))
