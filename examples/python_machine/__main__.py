@@ -1,8 +1,8 @@
-"""python3 -m python_machine RECORDING.gwt ...
+"""python3 -m python_machine [--stop-after N] RECORDING.gwt ...
 
 Executes recordings and compares every pass with its manifest, the file NAME.json beside the
-recording. Of a stream with several machines, numbered from 0, they are NAME_0.json and so on. Exit
-code 0: all agree; 3: a difference; 2: usage.
+recording. Of a stream with several machines, numbered from 0, they are NAME_0.json and so on. Stops
+after N recordings that differ, if N is given. Exit code 0: all agree; 3: a difference; 2: usage.
 """
 import json
 import pathlib
@@ -58,12 +58,17 @@ def check_machine(reader, manifest):
 
 
 def main(arguments):
+    most = len(arguments)
+    if len(arguments) > 1 and arguments[0] == "--stop-after" and arguments[1].isdigit():
+        most, arguments = int(arguments[1]), arguments[2:]
     if not arguments:
         print(__doc__.strip(), file=sys.stderr)
         return 2
     np.seterr(all="ignore")
     agree, passes, differing = 0, 0, 0
     for argument in arguments:
+        if differing == most:
+            break
         recording = pathlib.Path(argument)
         count, lines = check(recording)
         passes += count
