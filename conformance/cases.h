@@ -42,11 +42,17 @@ Case viewport_case(Random& random);
 // tests, so a change here leaves those digests alone.
 Case blocks_case(Random& random);
 Case cut_slivers_case(Random& random);
+Case environments_case(Random& random);
 Case extreme_lights_case(Random& random);
 Case far_coordinates_case(Random& random);
 Case mesh_case(Random& random);
 Case offset_case(Random& random);
+Case outlines_case(Random& random);
 Case polygons_case(Random& random);
+Case smooth_case(Random& random);
+Case state_rules_case(Random& random);
+Case texels_case(Random& random);
 Case ties_case(Random& random);
+Case vertex_rules_case(Random& random);
 
 }  // namespace gw::conformance

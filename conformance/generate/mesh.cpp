@@ -222,6 +222,11 @@ MeshRef cover_mesh(Random& r, const Frame& f, const MeshWish& wish, double z) {
     return make_mesh(finished(r, f, wish, Primitive::Quads, points));
 }
 
+MeshData rectangle(float left, float bottom, float right, float top) {
+    return {.primitive = Primitive::Quads,
+            .positions = {{left, bottom, 0}, {right, bottom, 0}, {right, top, 0}, {left, top, 0}}};
+}
+
 MeshRef same_faces(Random& r, const Mesh& mesh) {
     MeshData data = mesh.data();
     if (mesh.kind() != MeshKind::Triangles) return make_mesh(data);

@@ -24,6 +24,9 @@ MeshRef any_mesh(Random& random, const Frame& frame, const MeshWish& wish);
 /// Two triangles over about the whole window at depth z, by Frame::deep.
 MeshRef cover_mesh(Random& random, const Frame& frame, const MeshWish& wish, double z);
 
+/// A quad from its lower left to its upper right corner, z = 0, without attributes.
+MeshData rectangle(float left, float bottom, float right, float top);
+
 /// A mesh of the same pixels by other primitives, in another order, with rotated vertices.
 MeshRef same_faces(Random& random, const Mesh& mesh);
 

@@ -76,6 +76,15 @@ Script script(Random& random, const Profile& profile) {
 
 Script script(Random& random) { return script(random, any_profile(random)); }
 
+Script pixel_script(Random& random, const Profile& profile, int width, int height) {
+    Script s{random, {profile, width, height}};
+    s.frame = {width, height, profile.subpixel_bits};
+    s.state.projection[0][0] = 2.0 / width;
+    s.state.projection[1][1] = 2.0 / height;
+    s.state.projection[3] = {-1, -1, 0, 1};
+    return s;
+}
+
 void set_state(Script& s) {
     const State* last = last_state(s.out.list);
     if (s.state != (last ? *last : State{})) s.out.list.add(SetState{s.state});

@@ -28,6 +28,10 @@ Script script(Random& random, const Profile& profile);
 /// The same on any profile.
 Script script(Random& random);
 
+/// The same without clears, on a window whose pixels are the units of object space; z of -1 .. 1
+/// becomes the depth.
+Script pixel_script(Random& random, const Profile& profile, int width, int height);
+
 /// Adds SetState if the state differs from the last one that was set.
 void set_state(Script& script);
 /// Adds set_state and the command.
