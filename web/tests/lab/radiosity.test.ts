@@ -92,10 +92,10 @@ it('changes a reflectance, goes on, and solves anew beside it', async () => {
     before,
   );
   const goneOn = await text('p.state');
-  await thePage().click('input.anew');
+  await thePage().click('input.resolved');
   await thePage().waitForFunction(
     (most) => {
-      const said = document.querySelector('figure.anew figcaption')?.textContent ?? '';
+      const said = document.querySelector('figure.resolved figcaption')?.textContent ?? '';
       return Number(/([\d.]+) % unshot/.exec(said)?.[1] ?? 100) <= most;
     },
     {},
