@@ -20,6 +20,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace gw::lab {
@@ -101,13 +102,15 @@ public:
     /// first. Empty for lines.
     const std::vector<std::uint8_t>& difference() const { return difference_; }
 
-private:
-    /// The options of every view: `width`, `height`, `profile`, `eye`, `at`, `up`, `fov`. Fits what
-    /// the scene lacks.
+    /// For methods that are no members: a picture of their own, and what the options of every view
+    /// name: `width`, `height`, `profile`, `eye`, `at`, `up`, `fov`. Fits what the scene lacks.
+    void keep(std::vector<std::uint8_t> picture) { picture_ = std::move(picture); }
     scene::Scene scene_for(const Json& options) const;
     scene::View view_of(const scene::Scene& scene, const Json& options) const;
-    static std::unique_ptr<Machine> new_machine(const Json& options);
     Machine& machine_for(const Json& options);
+
+private:
+    static std::unique_ptr<Machine> new_machine(const Json& options);
     /// What a renderer draws.
     struct Subject {
         const apps::Renderer& renderer;
