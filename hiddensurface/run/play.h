@@ -1,5 +1,5 @@
 // An algorithm in any language: its steps come as lines of JSON, in the form of a step log, and are
-// drawn as if an algorithm here had made them. docs/hiddensurfaces.md describes the lines. Does not
+// drawn as if an algorithm here had made them. docs/step_logs.md describes the lines. Does not
 // read files.
 #pragma once
 

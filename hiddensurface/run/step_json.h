@@ -1,5 +1,5 @@
 // A step log as lines of JSON: a header with everything that the steps refer to, a line for each
-// step, an end. docs/hiddensurfaces.md describes it and steps.schema.json checks it. In these lines
+// step, an end. docs/step_logs.md describes it and steps.schema.json checks it. In these lines
 // y counts downwards from the picture's upper edge, in rows and in units of the window grid. Does
 // not read steps (read_step.h) or write files.
 #pragma once

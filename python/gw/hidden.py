@@ -3,7 +3,7 @@
     run = gw.hidden.run(scene, "bsp")
     for step in gw.hidden.steps(run): print(step["sentence"])
 
-    def painter(header):                        # header["polygons"]: docs/hiddensurfaces.md
+    def painter(header):                        # header["polygons"]: docs/step_logs.md
         in_window = [p for p in header["polygons"] if p["outline"]]
         for polygon in sorted(in_window, key=lambda p: -p["farthest"]):
             yield {"kind": "draw", "pieces": [str(polygon["id"])]}
@@ -35,7 +35,7 @@ def algorithms() -> dict[str, str]:
 
 
 def steps(run: HiddenRun, language: str = "en") -> Iterator[dict[str, Any]]:
-    """The steps of a run as docs/hiddensurfaces.md describes them, each with its sentence."""
+    """The steps of a run as docs/step_logs.md describes them, each with its sentence."""
     for i in range(len(run)):
         step = json.loads(run.step_json(i))
         step["sentence"] = run.sentence(i, language)

@@ -1,4 +1,4 @@
-// A step log as `gw hidden --steps` writes it: lines of JSON, described in docs/hiddensurfaces.md
+// A step log as `gw hidden --steps` writes it: lines of JSON, described in docs/step_logs.md
 // and checked by steps.schema.json. y counts downwards from the picture's upper edge.
 import type { Language } from '../../words/language';
 import type { Point } from '../point';
