@@ -4,6 +4,7 @@
 #include "scene/draw/nearest.h"
 #include "scene/text/suggest.h"
 #include "scene/validate/coincident.h"
+#include "scene/validate/shadow_maps.h"
 
 #include <algorithm>
 
@@ -40,6 +41,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const View& view, Drawn
     };
     if (by != DrawnBy::Rays) add(near_warning(scene, view));
     if (by != DrawnBy::Passes) add(lines_and_points(scene));
+    if (by == DrawnBy::Passes) add(cut_by_shadow_map(scene));
     add(coincident(scene));
     return lines;
 }

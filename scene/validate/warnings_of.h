@@ -19,8 +19,8 @@ enum class DrawnBy {
     Rays,    ///< faces only
 };
 
-/// The lines for this scene and view: objects that the near plane cuts off, coincident objects, lines
-/// and points that are left out. Empty: nothing to say.
+/// The lines for this scene and view: objects that the near plane or a light's map cuts off,
+/// coincident objects, lines and points that are left out. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
 /// A line if no pixel differs from the background though the scene has objects; empty: some do.

@@ -5,6 +5,7 @@
 
 #include "scene/draw/fit.h"
 #include "scene/validate/coincident.h"
+#include "scene/validate/shadow_maps.h"
 #include "tests/scene/folder.h"
 
 namespace gw::scene {
@@ -48,6 +49,45 @@ TEST(Coincident, NotABoxOnAFloor) {
     Scene alike = room(548.8f, true);
     alike.objects[1].material = alike.objects[0].material;
     EXPECT_FALSE(coincident_objects(alike)) << "the same colour either way";
+}
+
+/// A lamp `distance` below a shade, over a plain of this reach.
+Scene shaded_lamp(LightKind kind, float distance, float reach) {
+    Scene scene;
+    add_quad(scene, "shade", level(10 + distance, 1, true));
+    add_quad(scene, "plain", level(0, reach, false));
+    scene.lights.push_back({.name = "bulb",
+                            .kind = kind,
+                            .position = {0, 10, 0},
+                            .direction = {0, 1, 0},
+                            .cone_angle = 40,
+                            .shadow = Shadow::Map});
+    return scene;
+}
+
+TEST(ShadowMaps, NameWhatIsNearerToALightThanItsMap) {
+    for (const LightKind kind : {LightKind::Point, LightKind::Spot}) {
+        EXPECT_EQ(cut_by_shadow_map(shaded_lamp(kind, 0.5f, 10000)), "");
+        const std::string line = cut_by_shadow_map(shaded_lamp(kind, 0.125f, 10000));
+        EXPECT_EQ(
+            line,
+            "light 'bulb': object 'shade' comes as near as 0.125, where it casts no shadow: the "
+            "shadow map begins at 0.2158, a 65536th of the scene's reach; expected shadow = "
+            "\"volume\"");
+        Scene scene = shaded_lamp(kind, 0.125f, 10000);
+        scene.lights[0].shadow = Shadow::Volume;
+        EXPECT_EQ(cut_by_shadow_map(scene), "");
+        scene.lights[0].shadow = Shadow::Map;
+        scene.objects[0].casts_shadow = false;
+        EXPECT_EQ(cut_by_shadow_map(scene), "");
+    }
+}
+
+TEST(ShadowMaps, DoNotNameWhatASpotLeavesDark) {
+    Scene scene = shaded_lamp(LightKind::Spot, 0.125f, 10000);
+    scene.lights[0].direction = {0, -1, 0};
+    EXPECT_EQ(cut_by_shadow_map(scene), "");
+    EXPECT_EQ(cut_by_shadow_map(shaded_lamp(LightKind::Point, 0, 10000)), "") << "edge-on";
 }
 
 TEST(WarningsOf, NameWhatIsNotShown) {
