@@ -6,8 +6,8 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 # The libraries of the command and of the tests are not installed.
-foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface radiosity
-    inspect report plot study testing)
+foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface render
+    radiosity inspect report plot study testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
             ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -61,6 +61,15 @@ Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile)
     return {};
 }
 
+Picture amount_picture(const std::vector<std::uint32_t>& amounts, int width, int height) {
+    const std::uint64_t most =
+        std::max<std::uint32_t>(1, *std::max_element(amounts.begin(), amounts.end()));
+    return painted(amounts, width, height, [&](std::uint32_t n) {
+        const auto v = static_cast<std::uint16_t>((n * std::uint64_t{255} + most / 2) / most);
+        return Color{v, v, v};
+    });
+}
+
 Picture distance_picture(const std::vector<std::uint64_t>& distances, int width, int height) {
     const double greatest =
         distances.empty() ? 0 : double(*std::max_element(distances.begin(), distances.end()));

@@ -17,6 +17,9 @@ Picture plane_picture(const Planes& planes, Plane plane, const Profile& profile)
 /// least distance to white for the greatest.
 Picture distance_picture(const std::vector<std::uint64_t>& distances, int width, int height);
 
+/// Amounts in grey: black for 0, white for the largest.
+Picture amount_picture(const std::vector<std::uint32_t>& amounts, int width, int height);
+
 /// A picture's change: every channel's distance, times as much as goes without clamping; at least
 /// once.
 struct Change {

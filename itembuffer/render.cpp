@@ -137,7 +137,7 @@ std::unique_ptr<multipass::Driver> make_driver(Machine& machine, const scene::Sc
     if (!raytrace::any_traced(scene))
         return std::make_unique<multipass::Driver>(machine, scene, passes);
     multipass::Options all = passes;
-    if (!all.passes) all.passes = passes_with_tracing(scene, passes.translucency);
+    if (!all.pass_list) all.pass_list = passes_with_tracing(scene, passes.translucency);
     all.trace = tracing(scene, options);
     return std::make_unique<multipass::Driver>(machine, raytrace::drawn_scene(scene), all);
 }

@@ -60,7 +60,7 @@ struct AddingStudy {
         multipass::Pass add = multipass::add_pass;
         add.lights = multipass::PassLights::Each;
         list.insert(specular + 1, add);
-        return draw(s, {.passes = list});
+        return draw(s, {.pass_list = list});
     }
 
     Fractions at_full_strength(int n) const {

@@ -4,6 +4,7 @@
 #include "apps/hidden/new_algorithm.h"
 #include "apps/render/saved_options.h"
 #include "gw/error.h"
+#include "render/words/option_values.h"
 #include "scene/text/suggest.h"
 
 #include <CLI/CLI.hpp>
@@ -152,6 +153,8 @@ int run(const std::vector<std::string>& arguments) {
         const int code = run_command({.words = arguments});
         flush_output();
         return code;
+    } catch (const render::OptionError& error) {
+        return report(Usage, error.what());
     } catch (const UsageError& error) {
         return report(Usage, error.what());
     } catch (const Error& error) {

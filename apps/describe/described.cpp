@@ -1,19 +1,13 @@
 #include "apps/describe/described.h"
 
-#include "apps/render/renderers.h"
 #include "gw/profile.h"
 #include "hiddensurface/interface/algorithm.h"
+#include "render/options.h"
 
 #include <CLI/CLI.hpp>
 
 namespace gw::apps {
 namespace {
-
-std::vector<std::string> profile_names() {
-    std::vector<std::string> names;
-    for (const Profile& profile : profiles()) names.push_back(profile.name);
-    return names;
-}
 
 std::vector<std::string> algorithm_names() {
     std::vector<std::string> names;
@@ -23,10 +17,9 @@ std::vector<std::string> algorithm_names() {
 
 /// The values of an option of this name, which are the same in every command.
 std::vector<std::string> values_of(const std::string& option) {
-    if (option == "--machine") return {"fast", "reference"};
-    if (option == "--profile") return profile_names();
-    if (option == "--renderer") return renderer_names();
     if (option == "--algorithm") return algorithm_names();
+    for (const render::Option& known : render::options())
+        if (option == "--" + known.name) return known.words;
     return {};
 }
 

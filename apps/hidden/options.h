@@ -10,7 +10,7 @@ namespace gw::apps {
 enum class Form { Text, Json, Csv };
 
 struct HiddenOptions {
-    PictureOptions picture{.size = {320, 240}};
+    PictureOptions picture{{.size = {320, 240}}};
     /// Of surfaces or of lines: one, or two side by side; empty: all hidden-surface algorithms.
     std::vector<std::string> algorithms;
     double limit = 300;  ///< the longest estimated time of a run in seconds; 0: none

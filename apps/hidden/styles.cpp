@@ -19,7 +19,7 @@ namespace hs = hiddensurface;
 namespace {
 
 struct StylesOptions {
-    PictureOptions picture{.size = {320, 240}};
+    PictureOptions picture{{.size = {320, 240}}};
     std::filesystem::path output;
 };
 

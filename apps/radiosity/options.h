@@ -1,8 +1,8 @@
 // The options of gw radiosity. Does not solve.
 #pragma once
 
-#include "apps/radiosity/changes.h"
 #include "apps/render/picture_options.h"
+#include "radiosity/model/changes.h"
 #include "radiosity/solver/solver.h"
 
 #include <filesystem>
@@ -15,11 +15,13 @@ namespace gw::apps {
 
 class Progress;
 
+using radiosity::Change;
+
 /// Throws UsageError with the expected form.
 Change change_from(const std::string& word);
 
 struct RadiosityOptions {
-    PictureOptions picture{.size = {512, 512}, .profile = "ideal"};
+    PictureOptions picture{{.size = {512, 512}, .profile = "ideal"}};
     std::filesystem::path output;
     radiosity::ModelOptions model;
     radiosity::SolverOptions solver;

@@ -119,7 +119,7 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapMode
     std::optional<raytrace::World> world;
     if (raytrace::any_traced(all)) {
         world.emplace(all, options_.picture.threads);
-        passes.passes = itembuffer::passes_with_tracing(seen, passes.translucency);
+        passes.pass_list = itembuffer::passes_with_tracing(seen, passes.translucency);
         // First hits come from the drawn scene; second rays also meet faces that turn their backs
         // to the eye.
         passes.trace = [&](Machine& machine, const scene::Scene& now, const scene::View& at,

@@ -61,6 +61,14 @@ void put_recordings(CommandRecorder& recorder, const RadiosityOptions& options,
     files.commit();
 }
 
+void apply_changes(const std::vector<Change>& changes, scene::Scene& scene) {
+    try {
+        for (const Change& change : changes) apply(change, scene);
+    } catch (const Error& error) {
+        throw UsageError(std::string("--change: ") + error.what());
+    }
+}
+
 class Run {
 public:
     Run(const RadiosityOptions& options, Session& session, const scene::Scene& scene,
@@ -77,7 +85,7 @@ public:
         folder.make_folder(options_.output);
         image::check_target(saved_file());
         scene::Scene changed = scene_;
-        for (const Change& c : options_.changes) apply(c, changed);
+        apply_changes(options_.changes, changed);
         for (const char* name : {"hemicubes", "pictures"})
             if (options_.record) image::check_target(recording_file(options_, name));
         if (options_.resume)
@@ -179,7 +187,7 @@ private:
     // [F4] Shoots the difference; with --anew, also solves the changed scene from the beginning.
     void change() {
         scene::Scene changed = scene_;
-        for (const Change& c : options_.changes) apply(c, changed);
+        apply_changes(options_.changes, changed);
         progress_.at("changing");
         const auto begin = Clock::now();
         const radiosity::Update update =
@@ -247,12 +255,12 @@ private:
 int compute(RadiosityOptions options, Session session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
-    const SceneWithPasses loaded = load_scene_with_passes(options.picture, session);
-    const scene::Scene& scene = loaded.scene;
+    render::SceneInput input = read_input(options.picture, session);
     for (auto& [eye, at] : options.views) {
-        eye -= loaded.origin;
-        at -= loaded.origin;
+        eye -= input.origin;
+        at -= input.origin;
     }
+    const scene::Scene scene = ready_scene(options.picture, std::move(input));
     if (!options.picture.quiet)
         print_warnings_of(scene, options.picture.size, scene::DrawnBy::Depth);
     // One thread draws the hemicubes of a recording, so that their order is fixed.

@@ -2,7 +2,6 @@
 
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
-#include "apps/render/frame_files.h"
 #include "gw/error.h"
 #include "hiddensurface/interface/algorithm.h"
 #include "inspect/replay/forwarding_machine.h"
@@ -76,12 +75,13 @@ bool writes_identifiers(const inspect::Recording& recording) {
 inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList> lists) {
     inspect::Recording recording;
     recording.producer = "gw " + version();
-    recording.scene = drawing.options.scene.string();
-    recording.renderer = drawing.renderer.name;
+    recording.scene = drawing.request.scene.string();
+    recording.renderer = drawing.request.renderer;
     recording.profile = drawing.profile;
-    recording.width = drawing.options.size.width;
-    recording.height = drawing.options.size.height;
-    for (const auto& [pass, set] : parameter_sets(drawing)) recording.sets.push_back({pass, set});
+    recording.width = drawing.request.size.width;
+    recording.height = drawing.request.size.height;
+    for (const auto& [pass, set] : render::parameter_sets(drawing))
+        recording.sets.push_back({pass, set});
     recording.lists = std::move(lists);
     return recording;
 }
@@ -89,30 +89,30 @@ inspect::Recording recording_of(const Drawing& drawing, std::vector<CommandList>
 inspect::Recording record(const Drawing& drawing, const Session& session,
                           const std::string& algorithm) {
     inspect::Recording recording = heading_of(drawing, algorithm);
-    const scene::View view = scene::make_view(drawing.scene, recording.width, recording.height);
+    const scene::View view = drawing.view();
     if (!algorithm.empty()) {
         recording.lists = {hidden_surface_list(drawing, view, algorithm)};
         return recording;
     }
-    const auto machine = make_machine(drawing.options, drawing.profile, session);
+    const auto machine = make_machine(drawing.request, drawing.profile, session);
     inspect::Recorder recorder(*machine, recording.lists);
-    draw(drawing, view, recorder);
+    render::draw(drawing, view, recorder);
     return recording;
 }
 
 void record_stream(const Drawing& drawing, const Session& session, const std::string& algorithm,
                    std::ostream& out) {
     const std::string window = "picture";
-    const Size size = drawing.options.size;
-    const scene::View view = scene::make_view(drawing.scene, size.width, size.height);
+    const Size size = drawing.request.size;
+    const scene::View view = drawing.view();
     inspect::StreamWriter writer(out, heading_of(drawing, algorithm));
     writer.open(window, size.width, size.height);
     if (!algorithm.empty()) {
         writer.add(window, hidden_surface_list(drawing, view, algorithm));
     } else {
-        const auto machine = make_machine(drawing.options, drawing.profile, session);
+        const auto machine = make_machine(drawing.request, drawing.profile, session);
         inspect::StreamRecorder recorder(*machine, writer, window);
-        draw(drawing, view, recorder);
+        render::draw(drawing, view, recorder);
     }
     writer.finish();
 }

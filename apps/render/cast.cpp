@@ -2,13 +2,14 @@
 #include "apps/command/command.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/render/casts.h"
 #include "apps/render/picture_options.h"
 #include "apps/render/scene_warnings.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
+#include "image/plane_pictures.h"
 #include "image/write.h"
 #include "raytrace/casting/cast_picture.h"
+#include "render/words/option_words.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -22,7 +23,7 @@ using raytrace::CastMethod;
 using raytrace::InsideTest;
 
 struct CastOptions {
-    PictureOptions picture{.size = {320, 240}};
+    PictureOptions picture{{.size = {320, 240}}};
     CastMethod method = CastMethod::Hierarchy;
     InsideTest inside = InsideTest::Crossings;
     std::filesystem::path output, tests;
@@ -36,11 +37,7 @@ void add_choice(CLI::App& command, const std::string& name, const Table& table, 
         .add_option_function<std::string>(
             name,
             [name, &table, &value](const std::string& word) {
-                std::vector<std::string> known;
-                for (const auto& row : table) known.emplace_back(row.first);
-                one_of(name, word, known);
-                for (const auto& row : table)
-                    if (word == row.first) value = row.second;
+                value = render::value_from(name, word, table);
             },
             help)
         ->type_name("NAME");
@@ -80,13 +77,13 @@ int cast(const CastOptions& options, Session& session) {
     const auto picture = raytrace::cast_picture(*caster, shapes, scene,
                                                 scene::make_view(scene, size.width, size.height),
                                                 options.picture.threads);
-    if (!options.picture.quiet) print_if_empty(scene, picture.color, 8);
+    if (!options.picture.quiet) print_warnings({scene::empty_picture(scene, picture.color, 8)});
     image::OutputSet output(session.inputs);
     image::put_picture(output.add(options.output),
                        image::picture_of(picture.color, size.width, size.height, 8));
     if (!options.tests.empty())
         image::put_picture(output.add(options.tests),
-                           picture_of_tests(picture.tests, size.width, size.height));
+                           image::amount_picture(picture.tests, size.width, size.height));
     output.commit();
     print(counts_table(picture, shapes.size()));
     return Done;
@@ -105,9 +102,9 @@ Command add_cast(CLI::App& app) {
     command->get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
     command->get_option("--threads")->description("Threads that share the rows (default: all)");
     add_choice(
-        *command, "--method", cast_methods, options->method,
+        *command, "--method", render::cast_method_words, options->method,
         "The search for the nearest shape: brute-force, volumes, hierarchy (default) or grid");
-    add_choice(*command, "--inside", inside_tests, options->inside,
+    add_choice(*command, "--inside", render::inside_test_words, options->inside,
                "Ray and polygon: crossings (default), products or angles; "
                "they differ on concave polygons");
     command->add_option("-o,--output", options->output, "The picture")

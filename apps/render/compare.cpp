@@ -88,7 +88,7 @@ int compare(const CompareOptions& options, Session& session) {
     const auto machine = make_machine(options.picture, profile, session);
     const itembuffer::Differences d =
         differences(*machine, scene, scene::make_view(scene, size.width, size.height),
-                    draw_options(options.picture).rays);
+                    render::ray_options(options.picture));
     const auto put = [&](const char* name, const std::vector<Rgba>& color, int bits) {
         image::put_picture(output.add(options.folder / name),
                            image::picture_of(color, size.width, size.height, bits));

@@ -1,9 +1,8 @@
-// A drawing, and one frame of it as files: picture, components, planes, manifest, counters. All or
-// none appear. Does not parse options.
+// One frame of a drawing as files: picture, components, planes, manifest, counters. All or none
+// appear. Does not parse options.
 #pragma once
 
 #include "apps/render/picture_options.h"
-#include "apps/render/renderers.h"
 #include "image/picture.h"
 
 #include <filesystem>
@@ -18,28 +17,8 @@ struct FrameFiles {
     image::Tone tone;  ///< of the picture and the components
 };
 
-struct Drawing {
-    const PictureOptions& options;
-    const Renderer& renderer;
-    Profile profile;
-    scene::Scene scene;                             ///< with a camera
-    std::optional<multipass::PassList> own_passes;  ///< the scene's
-};
-
-/// Reads scene and profile.
-Drawing make_drawing(const PictureOptions& options, Session& session);
-
-/// The passes that draw it. The scene's own replace those of multipass.
-multipass::PassList passes_of(const Drawing& drawing);
-
-/// Draws the picture: `samples` times, superposed.
-void draw(const Drawing& drawing, const scene::View& view, Machine& machine);
-
-/// Throws Error; then no new file exists.
-void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session);
-
-/// The paper's parameter set of every pass that the driver runs, by the pass's name. Passes that the
-/// driver adds have none. Empty for a renderer without passes.
-std::map<std::string, std::string> parameter_sets(const Drawing& drawing);
+/// Warns of an empty picture unless quiet. Throws Error; then no new file exists.
+void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session,
+                bool quiet);
 
 }  // namespace gw::apps

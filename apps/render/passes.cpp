@@ -2,7 +2,7 @@
 #include "apps/command/command.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/render/frame_files.h"
+#include "apps/render/picture_options.h"
 #include "gw/names.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/report/prices.h"
@@ -46,11 +46,10 @@ Printout run_passes(const PassesOptions& wanted, Session& session) {
     auto prices = wanted.prices.empty() ? report::vgx_prices() : report::read_prices(wanted.prices);
     const Progress progress("drawing", options.quiet);
     const Drawing drawing = make_drawing(options, session);
-    Printout printout{passes_of(drawing), std::move(prices), {}, {}};
-    const auto sets = parameter_sets(drawing);
+    Printout printout{render::pass_list(drawing), std::move(prices), {}, {}};
+    const auto sets = render::parameter_sets(drawing);
     const auto machine = make_machine(options, drawing.profile, session);
-    draw(drawing, scene::make_view(drawing.scene, options.size.width, options.size.height),
-         *machine);
+    render::draw(drawing, drawing.view(), *machine);
     for (const PassReport& report : machine->passes()) {
         const auto set = sets.find(report.name);
         const double seconds = estimated_seconds(report.counters, printout.prices);
@@ -124,12 +123,12 @@ std::string csv(const Printout& printout) {
 }
 
 int print_passes(const PassesOptions& options, Session& session) {
-    if (!renderer_named(options.picture.renderer).passes) {
+    if (!render::renderer_named(options.picture.renderer).pass_owner) {
         throw UsageError("renderer " + options.picture.renderer +
                          " has no passes; expected hardware or multipass");
     }
     if (options.form == Form::Toml) {
-        print(multipass::to_toml(passes_of(make_drawing(options.picture, session))));
+        print(multipass::to_toml(render::pass_list(make_drawing(options.picture, session))));
         return Done;
     }
     const Printout printout = run_passes(options, session);

@@ -4,37 +4,19 @@
 
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
-#include "apps/render/renderers.h"
 #include "gw/machine.h"
-#include "multipass/frame/options.h"
-#include "scene/draw/fit.h"
-#include "scene/draw/view.h"
-#include "scene/scene.h"
+#include "render/drawing.h"
 #include "scene/validate/warnings_of.h"
 
-#include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 
 namespace gw::apps {
 
-struct PictureOptions {
-    std::filesystem::path scene;
-    std::string renderer = "multipass";
-    Size size;
-    std::string profile = "vgx";
-    std::string machine;  ///< empty: the first of machines()
-    int threads = 0;      ///< 0: all
-    int samples = 1;
-    bool weighted = false;  ///< a weighted mean of the samples
-    multipass::Translucency translucency = multipass::Translucency::Sorted;
-    bool traced = true;  ///< illum 3 and up by rays
-    itembuffer::Options rays;
-    std::optional<scene::Shadow> shadow;  ///< of all lights that cast one
-    scene::CameraOverrides camera;
-    std::optional<dvec3> up;
-    bool quiet = false;
+using render::Drawing;
+
+struct PictureOptions : render::Request {
+    bool quiet = false;  ///< no progress, no warnings
 };
 
 /// Adds SCENE and the options. Parsing checks the words, not the files.
@@ -42,31 +24,24 @@ void add_picture_options(CLI::App& command, PictureOptions& options);
 /// Removes the options of renderer and passes, for a command that chooses them itself.
 void remove_pass_options(CLI::App& command);
 
-/// Reads the scene and its textures, as inputs of the session. Fits a missing camera and light, and
-/// applies the camera options. Prints the readers' warnings unless quiet. Throws Error.
-/// Prints also what a picture of the scene that is drawn so will not show.
+/// The scene's file with its textures and its own passes, as inputs of the session. Prints the
+/// readers' warnings unless quiet. Throws Error.
+render::SceneInput read_input(const PictureOptions& options, Session& session);
+/// render::scene_for; throws UsageError.
+scene::Scene ready_scene(const PictureOptions& options, render::SceneInput input);
+/// Both. Prints also what a picture of the scene that is drawn so will not show, unless quiet.
 scene::Scene load_scene(const PictureOptions& options, Session& session,
                         scene::DrawnBy by = scene::DrawnBy::Depth);
 
-/// The scene, with its own pass list if it has one.
-struct SceneWithPasses {
-    scene::Scene scene;
-    std::optional<multipass::PassList> passes;
-    dvec3 origin{0};  ///< scene::SceneFile::origin
-};
-SceneWithPasses load_scene_with_passes(const PictureOptions& options, Session& session);
-
-/// The options for the renderer.
-DrawOptions draw_options(const PictureOptions& options);
-
-/// A built-in profile by name, or one from a TOML file. If it cannot superpose that many samples,
+/// The profile, an input of the session if it is a file. If it cannot superpose that many samples,
 /// throws UsageError, or Error for a profile from a file.
 Profile load_profile(const PictureOptions& options, Session& session);
 
-/// "fast", "reference": the machines of this build, the default first.
-std::vector<std::string> machines();
+/// Reads scene and profile. Prints render::warnings unless quiet.
+Drawing make_drawing(const PictureOptions& options, Session& session);
+
 /// The machine, added to the session's recorder if it has one.
-std::unique_ptr<Machine> make_machine(const PictureOptions& options, const Profile& profile,
+std::unique_ptr<Machine> make_machine(const render::Request& request, const Profile& profile,
                                       const Session& session);
 
 }  // namespace gw::apps

@@ -4,8 +4,6 @@
 #include "apps/command/terminal.h"
 #include "apps/render/frame_files.h"
 #include "apps/render/picture_options.h"
-#include "apps/render/renderers.h"
-#include "apps/render/view_drawer.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -30,17 +28,17 @@ std::filesystem::path numbered(const std::filesystem::path& file, int number) {
 /// Throws Error.
 void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
                     std::pair<int, int> first_last, Progress& progress, const Session& session) {
-    const Size size = drawing.options.size;
+    const Size size = drawing.request.size;
     const scene::Camera camera = *drawing.scene.camera;
-    const auto machine = make_machine(drawing.options, drawing.profile, session);
-    const auto draw_view = view_drawer(drawing, *machine);
+    const auto machine = make_machine(drawing.request, drawing.profile, session);
+    const auto draw_view = render::view_drawer(drawing, *machine);
     const auto [first, last] = first_last;
     for (int number = first; number <= last; ++number)
         session.inputs.check(numbered(files.picture, number));
     for (int number = first; number <= last; ++number) {
         progress.at(fmt::format("drawing picture {} of {}", number, pictures));
         drawing.scene.camera = scene::turntable(camera, 360.0 * (number - 1) / pictures);
-        draw_view(scene::make_view(drawing.scene, size.width, size.height));
+        draw_view(drawing.view());
         image::OutputSet output(session.inputs);
         const image::Picture picture = image::picture_of(machine->planes().color, size.width,
                                                          size.height, drawing.profile.color_bits);
@@ -152,7 +150,7 @@ void check(const RenderOptions& options) {
             "one picture for these");
     }
     check_different(files);
-    if (!files.components.empty() && !renderer_named(options.picture.renderer).passes) {
+    if (!files.components.empty() && !render::renderer_named(options.picture.renderer).pass_owner) {
         throw UsageError("--components: renderer " + options.picture.renderer +
                          " has none; expected hardware or multipass");
     }
@@ -171,7 +169,7 @@ int render(const RenderOptions& options, Session& session) {
         draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress,
                        session);
     } else {
-        draw_frame(drawing, options.files, session);
+        draw_frame(drawing, options.files, session, options.picture.quiet);
     }
     if (options.memory) fmt::print("peak memory: {} MB\n", peak_memory() >> 20);
     return Done;

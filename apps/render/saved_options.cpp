@@ -2,30 +2,37 @@
 
 #include "apps/command/command.h"
 #include "gw/error.h"
+#include "render/options.h"
 #include "scene/text/suggest.h"
 #include "scene/toml/toml_view.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace gw::apps {
 namespace {
 
-/// Options of a picture, which docs/scenes.md names.
-constexpr std::array savable{"renderer",         "size",  "profile",      "samples", "averaging",
-                             "shadow",           "depth", "translucency", "machine", "reflections",
-                             "reflected-shadows"};
+std::vector<std::string> savable() {
+    std::vector<std::string> names;
+    for (const render::Option& option : render::options())
+        if (is_saved(option.name)) names.push_back(option.name);
+    return names;
+}
 
 void check_name(const scene::SavedOption& option) {
-    const std::vector<std::string> known(savable.begin(), savable.end());
+    const std::vector<std::string> known = savable();
     if (std::find(known.begin(), known.end(), option.name) == known.end())
         throw Error(option.origin.file, option.origin.line,
                     scene::unknown("key", option.name, known) + " (picture)");
 }
 
 }  // namespace
+
+bool is_saved(const std::string& option) {
+    return option != "threads" && option != "eye" && option != "at" && option != "up" &&
+           option != "fov";
+}
 
 void take_saved_options(CLI::App& command) {
     const CLI::Option* scene = command.get_option_no_throw("SCENE");

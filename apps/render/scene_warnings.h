@@ -4,6 +4,7 @@
 #include "apps/command/option_values.h"
 #include "scene/validate/warnings_of.h"
 
+#include <string>
 #include <vector>
 
 namespace gw::apps {
@@ -11,7 +12,7 @@ namespace gw::apps {
 /// For the scene's own camera.
 void print_warnings_of(const scene::Scene& scene, const Size& size, scene::DrawnBy by);
 
-/// Says if the colour plane shows nothing of the scene.
-void print_if_empty(const scene::Scene& scene, const std::vector<Rgba>& color, int color_bits);
+/// A warning for each line that is not empty.
+void print_warnings(const std::vector<std::string>& lines);
 
 }  // namespace gw::apps

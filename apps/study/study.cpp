@@ -34,7 +34,7 @@ constexpr Size size{160, 120}, large{320, 240};
 
 /// A scene of the repository.
 scene::Scene study_scene(const char* file, Session& session) {
-    return load_scene({.scene = file, .size = size, .quiet = true}, session);
+    return load_scene({{.scene = file, .size = size}, true}, session);
 }
 
 study::MachineMaker maker(const StudyOptions& options, Size window, const Session& session) {

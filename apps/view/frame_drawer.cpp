@@ -1,7 +1,6 @@
 #include "apps/view/frame_drawer.h"
 
 #include "apps/hidden/pictures.h"
-#include "apps/render/view_drawer.h"
 #include "gw/error.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/run/estimate.h"
@@ -21,18 +20,6 @@ namespace hs = hiddensurface;
 
 /// Seconds that an algorithm may take; more would look like a program that hangs.
 constexpr double longest_algorithm = 5;
-
-std::unique_ptr<Machine> new_machine(const PictureOptions& options, const Profile& profile) {
-    const auto [width, height] = options.size;
-    return options.machine == "reference"
-               ? make_reference(profile, width, height)
-               : make_fast(profile, width, height, {.threads = options.threads});
-}
-
-scene::View view_of(const Drawing& drawing) {
-    const auto [width, height] = drawing.options.size;
-    return scene::make_view(drawing.scene, width, height);
-}
 
 image::Picture picture_of(Machine& machine) {
     const Planes& planes = machine.planes();
@@ -58,10 +45,8 @@ void add_counts(Frame& frame, const Counts& counts, const Names& names) {
 struct FrameDrawer::Kept {
     std::string machine_key;
     std::unique_ptr<Machine> machine;
-    /// of the last picture, which the drawing and its drawer refer to
-    std::string key;
-    std::unique_ptr<PictureOptions> options;
-    std::unique_ptr<Drawing> drawing;
+    std::string key;                          ///< of the last picture
+    std::unique_ptr<Drawing> drawing;         ///< to which its drawer refers
     scene::Bounds bounds;                     ///< of its scene
     std::map<std::string, std::string> sets;  ///< parameter sets by pass
     std::function<void(const scene::View&)> draw;
@@ -89,9 +74,11 @@ Frame FrameDrawer::timed(const Settings& settings, const std::function<void(Fram
     return frame;
 }
 
-Drawing FrameDrawer::drawing_of(const PictureOptions& options, const Settings& settings) const {
-    return {options, renderer_named(options.renderer), profiles_.at(options.profile),
-            scene_of(scene_, settings), own_passes_};
+Drawing FrameDrawer::drawing_of(const Settings& settings) const {
+    render::Request request = settings.picture;
+    request.camera = {};
+    return render::make_drawing(request, profiles_.at(request.profile),
+                                {.scene = scene_of(scene_, settings), .passes = own_passes_});
 }
 
 Machine& FrameDrawer::machine_for(const Settings& settings) {
@@ -100,7 +87,7 @@ Machine& FrameDrawer::machine_for(const Settings& settings) {
         fmt::format("{} {} {}", options.profile, options.size.width, options.size.height);
     if (key != kept_->machine_key) {
         kept_ = std::make_unique<Kept>();
-        kept_->machine = new_machine(options, profiles_.at(options.profile));
+        kept_->machine = render::make_machine(options, profiles_.at(options.profile));
         kept_->machine_key = key;
     }
     kept_->machine->reset_passes();
@@ -124,11 +111,10 @@ Frame FrameDrawer::draw(const Settings& settings) {
         if (key != kept_->key) {
             kept_->draw = nullptr;
             kept_->key = key;
-            kept_->options = std::make_unique<PictureOptions>(settings.picture);
-            kept_->drawing = std::make_unique<Drawing>(drawing_of(*kept_->options, settings));
+            kept_->drawing = std::make_unique<Drawing>(drawing_of(settings));
             kept_->bounds = scene::bounds(kept_->drawing->scene);
-            kept_->sets = parameter_sets(*kept_->drawing);
-            kept_->draw = view_drawer(*kept_->drawing, machine);
+            kept_->sets = render::parameter_sets(*kept_->drawing);
+            kept_->draw = render::view_drawer(*kept_->drawing, machine);
             machine.reset_passes();
         }
         kept_->drawing->scene.camera = settings.camera;
@@ -142,15 +128,15 @@ Frame FrameDrawer::draw(const Settings& settings) {
 
 Frame FrameDrawer::draw_by_pass(const Settings& settings) {
     return timed(settings, [&](Frame& frame) {
-        const Drawing drawing = drawing_of(settings.picture, settings);
-        const auto machine = new_machine(settings.picture, drawing.profile);
+        const Drawing drawing = drawing_of(settings);
+        const auto machine = render::make_machine(settings.picture, drawing.profile);
         inspect::Recording recording{.profile = drawing.profile,
                                      .width = settings.picture.size.width,
                                      .height = settings.picture.size.height};
         inspect::Recorder recorder(*machine, recording.lists);
-        apps::draw(drawing, view_of(drawing), recorder);
+        render::draw(drawing, drawing.view(), recorder);
         frame.picture = picture_of(*machine);
-        add_passes(frame, parameter_sets(drawing), *machine);
+        add_passes(frame, render::parameter_sets(drawing), *machine);
         frame.by_pass =
             std::make_shared<inspect::Replayed>(std::move(recording), settings.picture.threads);
     });

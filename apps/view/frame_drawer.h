@@ -2,7 +2,7 @@
 // estimated time. Knows no window and no keys.
 #pragma once
 
-#include "apps/render/frame_files.h"
+#include "apps/render/picture_options.h"
 #include "apps/view/settings.h"
 #include "gw/names.h"
 #include "image/picture.h"
@@ -55,7 +55,7 @@ public:
 private:
     struct Kept;
     Frame timed(const Settings& settings, const std::function<void(Frame&)>& work);
-    Drawing drawing_of(const PictureOptions& options, const Settings& settings) const;
+    Drawing drawing_of(const Settings& settings) const;
     Machine& machine_for(const Settings& settings);
     void add_passes(Frame& frame, const std::map<std::string, std::string>& sets,
                     Machine& machine) const;

@@ -133,10 +133,6 @@ void LightWorker::apply_change(const Change& change) {
         publish(fmt::format("{} of {}: {} hemicubes{}", change.what, change.object, done.hemicubes,
                             done.anew ? ", begun again" : ""),
                 true);
-    } catch (const UsageError& error) {
-        const std::lock_guard lock(mutex_);
-        light_.fault = error.what();
-        ++light_.step;
     } catch (const Error& error) {
         const std::lock_guard lock(mutex_);
         light_.fault = error.what();

@@ -2,8 +2,8 @@
 // them, on a thread of its own. Does not draw.
 #pragma once
 
-#include "apps/radiosity/changes.h"
 #include "radiosity/display/displayed_pixmaps.h"
+#include "radiosity/model/changes.h"
 #include "radiosity/solver/solver.h"
 
 #include <atomic>
@@ -15,6 +15,8 @@
 #include <thread>
 
 namespace gw::apps {
+
+using radiosity::Change;
 
 /// The light at one moment. Its model and colours do not change any more.
 struct Light {

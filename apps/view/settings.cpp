@@ -1,29 +1,9 @@
 #include "apps/view/settings.h"
 
-#include <fmt/format.h>
+#include "apps/render/saved_options.h"
+#include "render/options.h"
 
 namespace gw::apps {
-namespace {
-
-const char* word_of(multipass::Translucency translucency) {
-    switch (translucency) {
-        case multipass::Translucency::Sorted: return "sorted";
-        case multipass::Translucency::Unsorted: return "unsorted";
-        case multipass::Translucency::Layers: return "layers";
-    }
-    return "";
-}
-
-const char* word_of(scene::Shadow shadow) {
-    switch (shadow) {
-        case scene::Shadow::None: return "none";
-        case scene::Shadow::Volume: return "volume";
-        case scene::Shadow::Map: return "map";
-    }
-    return "";
-}
-
-}  // namespace
 
 scene::Scene scene_of(scene::Scene scene, const Settings& settings) {
     scene.camera = settings.camera;
@@ -43,16 +23,9 @@ scene::SavedView saved(const Settings& settings, const std::filesystem::path& ba
                           .lights_off = settings.lights_off,
                           .light = {},
                           .options = {}};
-    view.options = {{"renderer", picture.renderer},
-                    {"size", fmt::format("{}x{}", picture.size.width, picture.size.height)},
-                    {"profile", picture.profile},
-                    {"samples", std::to_string(picture.samples)},
-                    {"averaging", picture.weighted ? "weighted" : "simple"},
-                    {"translucency", word_of(picture.translucency)},
-                    {"reflections", picture.traced ? "rays" : "maps"},
-                    {"depth", std::to_string(picture.rays.depth)},
-                    {"reflected-shadows", picture.rays.shadow_maps ? "maps" : "rays"}};
-    if (picture.shadow) view.options.emplace_back("shadow", word_of(*picture.shadow));
+    for (const render::Option& option : render::options())
+        if (const std::string word = option.word(picture); is_saved(option.name) && !word.empty())
+            view.options.emplace_back(option.name, word);
     return view;
 }
 

@@ -6,6 +6,7 @@
 #include "hiddensurface/interface/algorithm.h"
 #include "hiddensurface/interface/line_algorithm.h"
 #include "inspect/replay/pixel_history.h"
+#include "render/options.h"
 
 #include <fmt/format.h>
 
@@ -101,7 +102,7 @@ void Viewer::handle(const Input& input) {
 
 void Viewer::step_renderer(int by) {
     show_ = show_ == Show::Passes ? show_ : Show::Picture;
-    settings_.picture.renderer = next_of(renderer_names(), settings_.picture.renderer, by);
+    settings_.picture.renderer = next_of(render::renderer_names(), settings_.picture.renderer, by);
 }
 
 void Viewer::next_profile() {
@@ -132,11 +133,9 @@ void Viewer::next_translucency() {
 }
 
 void Viewer::deeper() {
-    settings_.picture.rays.depth = std::min(settings_.picture.rays.depth + 1, 64);
+    settings_.picture.depth = std::min(settings_.picture.depth + 1, render::most_depth);
 }
-void Viewer::less_deep() {
-    settings_.picture.rays.depth = std::max(settings_.picture.rays.depth - 1, 1);
-}
+void Viewer::less_deep() { settings_.picture.depth = std::max(settings_.picture.depth - 1, 1); }
 
 void Viewer::toggle_fog() {
     if (!viewed_.scene.fog) return say("the scene has no fog");

@@ -2,6 +2,7 @@
 #include "apps/view/viewer.h"
 #include "image/plane_pictures.h"
 #include "inspect/text/plural.h"
+#include "render/words/option_words.h"
 
 #include <fmt/format.h>
 
@@ -13,24 +14,6 @@ namespace {
 
 constexpr Color heading{255, 255, 255}, faint{140, 140, 140}, warning{255, 170, 60},
     marked{255, 230, 0};
-
-const char* name_of(scene::Shadow shadow) {
-    switch (shadow) {
-        case scene::Shadow::None: return "none";
-        case scene::Shadow::Volume: return "volume";
-        case scene::Shadow::Map: return "map";
-    }
-    return "";
-}
-
-const char* name_of(multipass::Translucency translucency) {
-    switch (translucency) {
-        case multipass::Translucency::Sorted: return "sorted";
-        case multipass::Translucency::Unsorted: return "unsorted";
-        case multipass::Translucency::Layers: return "layers";
-    }
-    return "";
-}
 
 /// The text in pieces of at most a panel's letters, broken at spaces.
 std::vector<std::string> wrapped(const std::string& text) {
@@ -67,11 +50,16 @@ void Viewer::add_settings(std::vector<PanelLine>& lines) const {
     add("f", "profile     " + p.profile, has_renderer || show_ == Show::Hidden);
     add("a A", fmt::format("samples     {}{}", p.samples, p.weighted ? " weighted" : ""),
         has_renderer);
-    add("w", fmt::format("shadows     {}", p.shadow ? name_of(*p.shadow) : "the scene's"),
+    add("w",
+        fmt::format("shadows     {}",
+                    p.shadow ? scene::word_of(scene::shadow_words, *p.shadow) : "the scene's"),
         has_renderer);
-    add("e", fmt::format("reflections {}", p.traced ? "rays" : "maps"), has_renderer);
-    add("d D", fmt::format("depth       {}", p.rays.depth), has_renderer);
-    add("t", fmt::format("translucent {}", name_of(p.translucency)), has_renderer);
+    add("e", fmt::format("reflections {}", scene::word_of(render::reflection_words, p.traced)),
+        has_renderer);
+    add("d D", fmt::format("depth       {}", p.depth), has_renderer);
+    add("t",
+        fmt::format("translucent {}", scene::word_of(render::translucency_words, p.translucency)),
+        has_renderer);
     if (viewed_.scene.fog) add("g", settings_.fog ? "fog         on" : "fog         off", true);
     for (std::size_t i = 0; i < viewed_.scene.lights.size() && i < 9; ++i)
         add(std::to_string(i + 1).c_str(),

@@ -29,7 +29,7 @@ void eq5(benchmark::State& state) {
     const Ready r = ready("fig9.toml");
     const auto machine = make_fast(vgx(), width, height, {.threads = 1});
     multipass::Options passes;
-    passes.passes = itembuffer::passes_with_tracing(r.scene, multipass::Translucency::Sorted);
+    passes.pass_list = itembuffer::passes_with_tracing(r.scene, multipass::Translucency::Sorted);
     for (auto _ : state) {
         itembuffer::render(*machine, r.scene, r.view, passes, {.threads = 1});
         machine->reset_passes();

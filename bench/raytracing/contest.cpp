@@ -35,7 +35,7 @@ struct Frame {
     Frame(const scene::Scene& scene, int samples, bool maps)
         : drawn(raytrace::drawn_scene(scene)), view(scene::make_view(scene, width, height)) {
         options.samples = samples;
-        options.passes = itembuffer::passes_with_tracing(scene, options.translucency);
+        options.pass_list = itembuffer::passes_with_tracing(scene, options.translucency);
         const auto trace =
             itembuffer::tracing(scene, {.shadow_maps = maps, .threads = 1, .counts = &counts});
         options.trace = [this, trace](Machine& m, const scene::Scene& now, const scene::View& v,

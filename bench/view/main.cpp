@@ -11,7 +11,7 @@
 
 int main(int count, char** arguments) {
     using namespace gw::apps;
-    PictureOptions options{.scene = count > 1 ? arguments[1] : GW_SOURCE_DIR "/scenes/fig9.toml"};
+    PictureOptions options{{.scene = count > 1 ? arguments[1] : GW_SOURCE_DIR "/scenes/fig9.toml"}};
     const int pictures = count > 2 ? std::atoi(arguments[2]) : 40;
     Session session;
     ViewedScene scene = load_viewed_scene(options, ".", session);

@@ -47,8 +47,8 @@ Superposition Driver::draw(const scene::View& view) {
 }
 
 PassList pass_list(const scene::Scene& scene, const Options& options) {
-    return options.passes ? *options.passes
-                          : passes_for(scene, options.renderer, options.translucency);
+    return options.pass_list ? *options.pass_list
+                             : passes_for(scene, options.renderer, options.translucency);
 }
 
 Superposition render(Machine& machine, const scene::Scene& scene, const scene::View& view,
@@ -77,7 +77,7 @@ std::vector<ComponentImage> render_components(Machine& machine, const scene::Sce
     return component_images(component_lists(scene, pass_list(scene, options)),
                             [&](const ComponentList& list) {
                                 Options of_component = options;
-                                of_component.passes = list.passes;
+                                of_component.pass_list = list.passes;
                                 with_maps.background = list.background ? scene.background : vec3(0);
                                 render(machine, with_maps, view, of_component);
                                 return machine.planes().color;

@@ -23,7 +23,7 @@ using Trace = std::function<std::vector<Rgba>(Machine&, const scene::Scene&, con
 
 struct Options {
     Renderer renderer = Renderer::Multipass;
-    std::optional<PassList> passes;  ///< instead of the renderer's
+    std::optional<PassList> pass_list;  ///< instead of the renderer's
     OneWinner one_winner = OneWinner::Auto;
     Translucency translucency = Translucency::Sorted;
     Trace trace;  ///< empty: passes of PassAction::Trace add nothing

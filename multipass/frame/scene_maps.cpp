@@ -130,8 +130,9 @@ CubePicture draw_around(Machine& machine, scene::Scene s, std::size_t index, int
     const dvec3 p = center(s, index);
     const std::string what = "surroundings of " + s.objects[index].name;
     s.objects.erase(s.objects.begin() + std::ptrdiff_t(index));
-    const PassList passes =
-        options.passes ? *options.passes : passes_for(s, options.renderer, options.translucency);
+    const PassList passes = options.pass_list
+                                ? *options.pass_list
+                                : passes_for(s, options.renderer, options.translucency);
     CubePicture around{.views = views_from(p, s, size * fineness)};
     FrameDrawer drawer(machine, s, passes, options, s.background);
     Painter painter{machine, drawer, what};
@@ -141,8 +142,9 @@ CubePicture draw_around(Machine& machine, scene::Scene s, std::size_t index, int
 }
 
 bool looks_up(const scene::Scene& s, const Options& options) {
-    const PassList passes =
-        options.passes ? *options.passes : passes_for(s, options.renderer, options.translucency);
+    const PassList passes = options.pass_list
+                                ? *options.pass_list
+                                : passes_for(s, options.renderer, options.translucency);
     return std::any_of(passes.begin(), passes.end(), [](const Pass& pass) {
         return pass.material.Map == PassMap::Reflection || pass.material.Map == PassMap::Refraction;
     });

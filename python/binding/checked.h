@@ -1,5 +1,4 @@
-// Numbers and scenes from Python, checked before work begins: they have not been through a reader of
-// files. The limits are those of scene files and of the command's options.
+// Numbers and scenes from Python, checked before work begins (scene/validate/check.h).
 #pragma once
 
 #include "gw/machine.h"
@@ -16,9 +15,6 @@ namespace gw::python {
 void check_range(const std::string& name, double value, double low, double high);
 /// 0: all.
 inline void check_threads(int threads) { check_range("threads", threads, 0, 1024); }
-
-/// Throws Error "light 'sun', direction: (0, 0, 0); expected ..." for values that no file can have.
-void check_scene(const scene::Scene& scene);
 
 /// A scene in view, as every renderer needs it: defaults added, the camera chosen.
 struct SceneInView {

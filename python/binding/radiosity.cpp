@@ -4,6 +4,7 @@
 #include "radiosity/solver/solver.h"
 #include "radiosity/solver/stall.h"
 #include "scene/draw/nearest.h"
+#include "scene/validate/check.h"
 #include "scene/validate/warnings_of.h"
 
 #include "python/binding/arrays.h"
@@ -25,7 +26,7 @@ public:
     HeldSolver(const scene::Scene& scene, int hemicube, double texels_per_unit, int patch,
                int threads)
         : scene_(scene), options_{.texels_per_unit = texels_per_unit, .patch = patch} {
-        check_scene(scene);
+        scene::check_scene(scene);
         check_threads(threads);
         check_range("patch", patch, 1, 4096);
         check_range("texels_per_unit", texels_per_unit, 0, 1e9);
@@ -130,7 +131,7 @@ public:
     }
 
     py::dict update(const scene::Scene& given) {
-        check_scene(given);
+        scene::check_scene(given);
         scene::Scene scene = given;  // which another thread may change
         const rd::Update done = cancelable(turn_, cancel_, [&] {
             const rd::Update update = solver_->update(rd::make_model(scene, options_));

@@ -1,149 +1,142 @@
 // The papers' renderers: passes, item buffer and rays.
-#include "hiddensurface/run/scan_line_renderer.h"
 #include "inspect/report/prices.h"
-#include "itembuffer/adaptive.h"
 #include "itembuffer/differences.h"
-#include "itembuffer/render.h"
-#include "itembuffer/superposed_ray_tracer.h"
-#include "multipass/frame/driver.h"
-#include "multipass/frame/superpose.h"
 #include "multipass/passes/validate_passes.h"
-#include "multipass/steps/schedule.h"
 #include "python/binding/arrays.h"
 #include "python/binding/checked.h"
 #include "python/binding/fields.h"
 #include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 #include "raytrace/casting/cast_picture.h"
+#include "render/drawing.h"
+#include "render/options.h"
+#include "render/words/option_words.h"
 #include "scene/draw/item_buffer.h"
+#include "scene/validate/check.h"
+
+#include <algorithm>
+#include <cctype>
+#include <variant>
 
 namespace gw::python {
 namespace {
 
 namespace mp = multipass;
 
-enum class RendererName { Hardware, Multipass, ScanLine, RayTrace, Adaptive };
+/// A row of render::renderers().
+enum class RendererName : int {};
 
-mp::PassList passes_of(const scene::Scene& scene, RendererName renderer, bool traced,
-                       mp::Translucency translucency) {
-    if (renderer == RendererName::Multipass && traced)
-        return itembuffer::passes_with_tracing(scene, translucency);
-    if (renderer != RendererName::Multipass && renderer != RendererName::Hardware)
-        throw Error("the renderer has no passes; expected hardware or multipass");
-    return mp::passes_for(
-        scene,
-        renderer == RendererName::Hardware ? mp::Renderer::Hardware : mp::Renderer::Multipass,
-        translucency);
+std::string name_of(RendererName renderer) {
+    return render::renderers().at(std::size_t(renderer)).name;
+}
+
+/// An option that has an enumeration: its value, or its word.
+template <class Enum>
+using Named = std::variant<Enum, std::string>;
+
+/// The words are those of the command; names of the enumerations have capitals.
+std::string word_of(const Named<mp::Translucency>& given) {
+    if (const auto* value = std::get_if<mp::Translucency>(&given))
+        return scene::word_of(render::translucency_words, *value);
+    std::string word = std::get<std::string>(given);
+    for (char& c : word) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return word;
+}
+std::string word_of(const Named<scene::Shadow>& given) {
+    const auto* value = std::get_if<scene::Shadow>(&given);
+    return value ? scene::word_of(scene::shadow_words, *value) : std::get<std::string>(given);
+}
+std::string word_of(const Named<RendererName>& given) {
+    const auto* value = std::get_if<RendererName>(&given);
+    return value ? name_of(*value) : std::get<std::string>(given);
+}
+
+render::Request request_of(int width, int height) {
+    render::Request request;
+    render::set(request, "size", std::to_string(width) + "x" + std::to_string(height));
+    return request;
+}
+
+[[noreturn]] void refuse_passes(const std::string& renderer) {
+    throw Error("renderer " + renderer + " has no passes; expected hardware or multipass");
+}
+
+mp::PassList passes_for(const scene::Scene& scene, const Named<RendererName>& renderer, bool traced,
+                        const Named<mp::Translucency>& translucency) {
+    render::Request request{.traced = traced};
+    render::set(request, "renderer", word_of(renderer));
+    render::set(request, "translucency", word_of(translucency));
+    if (!render::renderer_named(request.renderer).pass_owner) refuse_passes(request.renderer);
+    return render::pass_list({.request = request, .profile = vgx(), .scene = scene});
+}
+
+/// The scene as the request wants it, after it was checked.
+render::Drawing checked_drawing(const render::Request& request, const Profile& profile,
+                                const scene::Scene& scene) {
+    scene::check_scene(scene);
+    return render::make_drawing(request, profile, {.scene = scene});
 }
 
 /// A scene that is drawn from one view after the other.
 class SceneRenderer {
 public:
-    struct Choice {
-        RendererName renderer = RendererName::Multipass;
-        mp::Options passes;
-        itembuffer::Options rays;
-        bool traced = true;
-    };
-    SceneRenderer(const scene::Scene& scene, int width, int height, const Profile& profile,
-                  Choice choice, bool reference, int threads, bool record)
-        : in_view_(scene, {}, width, height),
-          given_(scene),
-          choice_(std::move(choice)),
-          held_(
-              std::make_shared<MachineHolder>(profile, width, height, reference, threads, record)),
+    SceneRenderer(const scene::Scene& scene, const render::Request& request, const Profile& profile,
+                  const std::optional<mp::PassList>& passes, bool record)
+        : drawing_(checked_drawing(request, profile, scene)),
+          camera_(*drawing_.scene.camera),
+          held_(std::make_shared<MachineHolder>(profile, request.size.width, request.size.height,
+                                                request.machine == "reference", request.threads,
+                                                record)),
           machine_(*held_) {
-        if (choice_.renderer == RendererName::Hardware)
-            choice_.passes.renderer = mp::Renderer::Hardware;
-        if (choice_.passes.passes) check(*choice_.passes.passes);
-        check_range("samples", choice_.passes.samples, 1, 32768);
-        check_range("depth", choice_.rays.depth, 1, 64);
-        choice_.rays.threads = threads;
-        choice_.rays.counts = &counts_;
+        drawing_.view();  // refuses a camera that sees nothing
+        drawing_.counts = &counts_;
+        if (!passes) return;
+        if (!drawing_.renderer().pass_owner) refuse_passes(request.renderer);
+        if (const auto fault = mp::first_fault(*passes))
+            throw Error("pass " + std::to_string(fault->pass) + ", " + fault->key + ": " +
+                        fault->what);
+        drawing_.pass_list = passes;
     }
     void draw(const std::optional<scene::Camera>& camera) {
-        const SceneInView now(given_, camera, held_->width(), held_->height());
+        scene::check_scene({.camera = camera});
+        std::vector<std::string> lines;
         try {
             cancelable(turn_, cancel_, [&] {
                 counts_ = {};
-                draw(now);
+                drawing_.scene.camera = camera.value_or(camera_);
+                const scene::View view = drawing_.view();
+                if (!draw_view_) {
+                    lines = render::warnings(drawing_);
+                    draw_view_ = render::view_drawer(drawing_, machine_);
+                }
+                draw_view_(view);
+                const std::string empty = render::empty_warning(drawing_, machine_);
+                if (!empty.empty()) lines.push_back(empty);
             });
         } catch (...) {
-            in_turn(turn_, [&] { driver_.reset(); });  // what it keeps may be half made
+            // what it keeps may be half made
+            in_turn(turn_, [&] { draw_view_ = nullptr; });
             throw;
         }
+        warn(lines);
     }
     std::shared_ptr<MachineHolder> machine() const { return held_; }
     raytrace::RayCounts counts() {
         return in_turn(turn_, [&] { return counts_; });
     }
-    /// Passes that the driver adds have none.
-    std::map<std::string, std::string> parameter_sets() const {
-        std::map<std::string, std::string> sets;
-        const RendererName renderer = choice_.renderer;
-        if (renderer != RendererName::Hardware && renderer != RendererName::Multipass) return sets;
-        const scene::Scene& scene = in_view_.scene;
-        const mp::PassModel model = mp::make_pass_model(scene);
-        const mp::PassList passes =
-            choice_.passes.passes
-                ? *choice_.passes.passes
-                : passes_of(scene, renderer, choice_.traced, choice_.passes.translucency);
-        for (const mp::Step& step : mp::schedule(passes, model))
-            sets[mp::name_of(step, model)] = mp::to_string(step.pass.material);
-        return sets;
+    std::map<std::string, std::string> parameter_sets() {
+        return in_turn(turn_, [&] { return render::parameter_sets(drawing_); });
     }
 
 private:
-    static void check(const mp::PassList& passes) {
-        if (const auto fault = mp::first_fault(passes))
-            throw Error("pass " + std::to_string(fault->pass) + ", " + fault->key + ": " +
-                        fault->what);
-    }
-    void draw(const SceneInView& now) {
-        const int samples = choice_.passes.samples;
-        switch (choice_.renderer) {
-            case RendererName::Hardware:
-            case RendererName::Multipass: draw_passes(now); return;
-            case RendererName::ScanLine: draw_scan_lines(now); return;
-            case RendererName::RayTrace:
-                itembuffer::superpose_ray_traced(machine_, now.scene, now.view, samples,
-                                                 choice_.rays, choice_.passes.weighted);
-                return;
-            case RendererName::Adaptive:
-                itembuffer::render_adaptive(machine_, now.scene, now.view, samples, choice_.rays);
-                return;
-        }
-    }
-    /// The driver keeps what no view changes. Without a camera of its own the scene's lights may
-    /// follow the view.
-    void draw_passes(const SceneInView& now) {
-        if (!driver_) {
-            const bool traced = choice_.traced && choice_.renderer == RendererName::Multipass;
-            driver_ =
-                traced ? itembuffer::make_driver(machine_, now.scene, choice_.passes, choice_.rays)
-                       : std::make_unique<mp::Driver>(machine_, now.scene, choice_.passes);
-        }
-        driver_->draw(now.view);
-    }
-    void draw_scan_lines(const SceneInView& now) {
-        scene::Scene moved = now.scene;
-        const Profile& profile = machine_.profile();
-        mp::superpose(machine_, choice_.passes.samples, 0, [&](const mp::Sample& sample) {
-            mp::move_to(moved, now.scene, sample);
-            machine_.execute(
-                hiddensurface::scan_line_picture(moved, mp::view_at(now.view, sample), profile,
-                                                 mp::jitter_of(sample, profile.subpixel_bits)));
-        });
-    }
-
-    SceneInView in_view_;  ///< checks the window and the scene when it is made
-    scene::Scene given_;
-    Choice choice_;
+    render::Drawing drawing_;
+    scene::Camera camera_;  ///< the scene's own
     std::shared_ptr<MachineHolder> held_;
     std::atomic<bool> cancel_ = false;
     RendererMachine machine_;
-    std::unique_ptr<mp::Driver> driver_;
+    std::function<void(const scene::View&)> draw_view_;
     raytrace::RayCounts counts_;
     std::mutex turn_;  ///< of draw
 };
@@ -174,38 +167,42 @@ py::dict counts_dict(const raytrace::RayCounts& c) {
 }
 
 void add_renderer(py::module_& m) {
+    std::vector<std::pair<std::string, RendererName>> names;
+    for (const render::Renderer& renderer : render::renderers())
+        names.emplace_back(renderer.name, RendererName(int(names.size())));
     add_enum<RendererName>(m, "RendererName", "The renderers: equations 1, 2 to 5, 3, and rays.",
-                           {{"hardware", RendererName::Hardware},
-                            {"multipass", RendererName::Multipass},
-                            {"scanline", RendererName::ScanLine},
-                            {"raytrace", RendererName::RayTrace},
-                            {"adaptive", RendererName::Adaptive}});
+                           names);
     py::class_<SceneRenderer>(
         m, "Renderer", "Draws a scene from one view after the other on a machine of its own.")
-        .def(py::init([](const scene::Scene& scene, int width, int height, RendererName renderer,
-                         const Profile& profile, const std::optional<mp::PassList>& passes,
-                         int samples, bool weighted, mp::Translucency translucency, bool traced,
-                         int depth, bool shadow_maps, bool reference, int threads, bool record) {
-                 SceneRenderer::Choice choice;
-                 choice.renderer = renderer;
-                 choice.passes.passes = passes;
-                 choice.passes.samples = samples;
-                 choice.passes.weighted = weighted;
-                 choice.passes.translucency = translucency;
-                 choice.traced = traced;
-                 choice.rays.depth = depth;
-                 choice.rays.shadow_maps = shadow_maps;
-                 return std::make_unique<SceneRenderer>(scene, width, height, profile, choice,
-                                                        reference, threads, record);
+        .def(py::init([](const scene::Scene& scene, int width, int height,
+                         const Named<RendererName>& renderer, const Profile& profile,
+                         const std::optional<mp::PassList>& passes, int samples, bool weighted,
+                         const Named<mp::Translucency>& translucency,
+                         const std::optional<Named<scene::Shadow>>& shadow, bool traced, int depth,
+                         bool shadow_maps, bool reference, int threads, bool record) {
+                 render::Request request = request_of(width, height);
+                 render::set(request, "renderer", word_of(renderer));
+                 render::set(request, "samples", std::to_string(samples));
+                 render::set(request, "translucency", word_of(translucency));
+                 if (shadow) render::set(request, "shadow", word_of(*shadow));
+                 render::set(request, "depth", std::to_string(depth));
+                 if (threads != 0) render::set(request, "threads", std::to_string(threads));
+                 request.weighted = weighted;
+                 request.traced = traced;
+                 request.shadow_maps = shadow_maps;
+                 if (reference) request.machine = "reference";
+                 return std::make_unique<SceneRenderer>(scene, request, profile, passes, record);
              }),
              py::arg("scene"), py::arg("width") = 640, py::arg("height") = 480,
-             py::arg("renderer") = RendererName::Multipass, py::kw_only(),
-             py::arg("profile") = vgx(), py::arg("passes") = py::none(), py::arg("samples") = 1,
-             py::arg("weighted") = false, py::arg("translucency") = mp::Translucency::Sorted,
+             py::arg("renderer") = "multipass", py::kw_only(), py::arg("profile") = vgx(),
+             py::arg("passes") = py::none(), py::arg("samples") = 1, py::arg("weighted") = false,
+             py::arg("translucency") = "sorted", py::arg("shadow") = py::none(),
              py::arg("traced") = true, py::arg("depth") = 2, py::arg("shadow_maps") = false,
              py::arg("reference") = false, py::arg("threads") = 0, py::arg("record") = false,
-             "passes: a list of Pass instead of the renderer's. samples: superposed pictures. "
-             "traced: reflections by rays (eq. 5), paths of `depth` rays.")
+             "passes: a list of Pass instead of the renderer's. samples: superposed pictures; "
+             "weighted: their mean. shadow: none, volume or map, for all lights that cast one. "
+             "traced: reflections by rays (eq. 5), paths of `depth` rays; shadow_maps: their "
+             "shadows by the lights' maps.")
         .def(
             "draw", [](SceneRenderer& r, const std::optional<scene::Camera>& c) { r.draw(c); },
             py::arg("camera") = py::none(), "Draws the scene; None: with its own camera.")
@@ -220,14 +217,12 @@ void add_renderer(py::module_& m) {
 }
 
 py::dict components(const scene::Scene& given, int width, int height, const Profile& profile) {
-    const SceneInView now(given, {}, width, height);
+    const render::Drawing drawing = checked_drawing(request_of(width, height), profile, given);
+    warn(render::warnings(drawing));
     MachineHolder held(profile, width, height, false, 0, false);
     auto images = cancelable([&] {
         RendererMachine machine(held);
-        mp::Options options;
-        options.trace = itembuffer::tracing(now.scene, {});
-        options.passes = itembuffer::passes_with_tracing(now.scene, options.translucency);
-        return mp::render_components(machine, now.scene, now.view, options);
+        return render::components(drawing, drawing.view(), machine);
     });
     py::dict out;
     for (mp::ComponentImage& image : images)
@@ -246,20 +241,16 @@ py::array item_buffer(const scene::Scene& given, int width, int height) {
 
 py::dict cast_rays(const scene::Scene& given, const std::string& method, int width, int height,
                    int threads) {
-    using M = raytrace::CastMethod;
-    const std::map<std::string, M> methods{{"brute_force", M::BruteForce},
-                                           {"bounding_volumes", M::BoundingVolumes},
-                                           {"hierarchy", M::Hierarchy},
-                                           {"grid", M::Grid}};
-    const auto found = methods.find(method);
-    if (found == methods.end())
-        throw Error("method '" + method +
-                    "'; expected brute_force, bounding_volumes, hierarchy or grid");
+    std::string word = method == "bounding_volumes" ? "volumes" : method;
+    std::ranges::replace(word, '_', '-');
+    const raytrace::CastMethod found =
+        render::value_from("method", word, render::cast_method_words);
     check_threads(threads);
     const SceneInView now(given, {}, width, height);
+    warn(scene::warnings_of(now.scene, now.view, scene::DrawnBy::Rays));
     auto picture = cancelable([&] {
         const auto shapes = raytrace::cast_shapes(now.scene);
-        const auto caster = raytrace::make_caster(found->second, shapes);
+        const auto caster = raytrace::make_caster(found, shapes);
         return raytrace::cast_picture(*caster, shapes, now.scene, now.view, threads);
     });
     py::dict out, counts;
@@ -276,6 +267,7 @@ py::dict cast_rays(const scene::Scene& given, const std::string& method, int wid
 py::dict renderer_differences(const scene::Scene& given, int width, int height,
                               const Profile& profile) {
     const SceneInView now(given, {}, width, height);
+    warn(scene::warnings_of(now.scene, now.view, scene::DrawnBy::Depth));
     const auto machine = make_fast(profile, width, height);
     auto d = cancelable([&] { return itembuffer::differences(*machine, now.scene, now.view, {}); });
     py::dict out;
@@ -300,9 +292,8 @@ py::dict renderer_differences(const scene::Scene& given, int width, int height,
 
 void add_rendering(py::module_& m) {
     add_renderer(m);
-    m.def("passes_for", &passes_of, py::arg("scene"), py::arg("renderer") = RendererName::Multipass,
-          py::kw_only(), py::arg("traced") = true,
-          py::arg("translucency") = mp::Translucency::Sorted,
+    m.def("passes_for", &passes_for, py::arg("scene"), py::arg("renderer") = "multipass",
+          py::kw_only(), py::arg("traced") = true, py::arg("translucency") = "sorted",
           "The passes that a renderer draws the scene with [K2, K3, K4].");
     m.def("components", &components, py::arg("scene"), py::arg("width") = 640,
           py::arg("height") = 480, py::arg("profile") = vgx(),
@@ -313,7 +304,7 @@ void add_rendering(py::module_& m) {
     m.def("cast_rays", &cast_rays, py::arg("scene"), py::arg("method") = "hierarchy",
           py::arg("width") = 320, py::arg("height") = 240, py::kw_only(), py::arg("threads") = 0,
           "Ray casting as it is taught [L9]: color, tests of each pixel, counts. method: "
-          "brute_force, bounding_volumes, hierarchy, grid.");
+          "brute-force, volumes, hierarchy or grid.");
     m.def("renderer_differences", &renderer_differences, py::arg("scene"), py::arg("width") = 320,
           py::arg("height") = 240, py::arg("profile") = vgx(),
           "Passes with an item buffer beside ordinary ray tracing: both pictures, and the pixels "

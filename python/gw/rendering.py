@@ -20,8 +20,7 @@ def render(
     if not isinstance(scene, Scene):
         file = scene
         scene = Scene.open(file)
-        if str(RendererName(renderer) if isinstance(renderer, str)
-               else renderer) == str(RendererName.multipass):
+        if renderer in ("multipass", RendererName.multipass):
             options.setdefault("passes", read_passes(file))
     drawer = Renderer(scene, width, height, renderer, **options)
     drawer.draw(camera)

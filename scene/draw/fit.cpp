@@ -62,6 +62,7 @@ void add_defaults(Scene& scene, int width, int height) {
 Camera override_camera(Camera camera, const CameraOverrides& overrides) {
     if (overrides.eye) camera.eye = *overrides.eye;
     if (overrides.at) camera.at = *overrides.at;
+    if (overrides.up) camera.up = *overrides.up;
     if (overrides.fov) camera.fov = *overrides.fov;
     return camera;
 }

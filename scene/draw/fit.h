@@ -18,9 +18,9 @@ Light default_light(const Camera& camera);
 /// nothing emits.
 void add_defaults(Scene& scene, int width, int height);
 
-/// The command line's --eye --at --fov.
+/// A picture's eye, at, up and fov, instead of the scene's.
 struct CameraOverrides {
-    std::optional<dvec3> eye, at;
+    std::optional<dvec3> eye, at, up;
     std::optional<double> fov;
 };
 Camera override_camera(Camera camera, const CameraOverrides& overrides);

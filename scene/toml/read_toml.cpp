@@ -78,7 +78,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
                {
                    key("name", scene.name),
                    color_key("background", scene.background),
-                   key("texels", scene.texels_per_unit, {1e-9, 1e9}),
+                   key("texels", scene.texels_per_unit, texels_per_unit),
                    key("reflection_in_shadow", scene.reflection_in_shadow),
                    {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
                    {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},

@@ -25,18 +25,8 @@ void read_table(const TomlValue& table, const std::vector<Key>& keys) {
 
 namespace {
 
-std::string range_text(std::string_view what, Range range) {
-    std::string text(what);
-    if (range.low > Range{}.low) text += " from " + number_text(range.low);
-    if (range.high < Range{}.high) text += " to " + number_text(range.high);
-    return text;
-}
-
-// True also for NaN, which TOML has.
-bool outside(double value, Range range) { return !(value >= range.low && value <= range.high); }
-
 void expect_number(const TomlValue& value, Range range, std::string_view what = "a number") {
-    if (!value.is_number() || outside(value.number, range))
+    if (!value.is_number() || !range.contains(value.number))
         value.fail_expected(range_text(what, range));
 }
 
@@ -172,6 +162,23 @@ Key key(std::string name, dvec3& field) {
 }
 Key color_key(std::string name, vec3& field) {
     return {std::move(name), [&field](const TomlValue& value) { field = to_color(value); }};
+}
+Key place_key(std::string name, vec3& field) {
+    return {std::move(name), [&field](const TomlValue& value) {
+                field = to_vec3(value);
+                to_placeable(value);
+            }};
+}
+Key place_key(std::string name, dvec3& field) {
+    return {std::move(name), [&field](const TomlValue& value) { field = to_placeable(value); }};
+}
+
+void obey(const TomlValue& table, const std::optional<Fault>& fault) {
+    if (!fault) return;
+    const TomlValue* const value = table.find(fault->field.file);
+    (value ? *value : table)
+        .fail(table.name + "." + fault->field.file + " is " + fault->is + "; expected " +
+              fault->expected);
 }
 
 }  // namespace gw::scene

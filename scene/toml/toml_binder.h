@@ -6,9 +6,9 @@
 
 #include "gw/base/types.h"
 #include "scene/toml/toml_value.h"
+#include "scene/validate/rules.h"
 
 #include <functional>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +23,6 @@ struct Key {
 /// Throws Error if the value is not a table, or has an unknown key; the message names the nearest
 /// known one.
 void read_table(const TomlValue& table, const std::vector<Key>& keys);
-
-/// Numbers that a key takes, ends included.
-struct Range {
-    double low = std::numeric_limits<double>::lowest(), high = std::numeric_limits<double>::max();
-};
-inline constexpr Range not_negative{0, std::numeric_limits<double>::max()};
-/// Coordinates far beyond any scene; products of three still fit a double, squares a float32.
-inline constexpr Range placeable{-1e18, 1e18};
 
 /// One value as a C++ type. A float is the float32 nearest to the text.
 float to_float(const TomlValue& value, Range range = {});
@@ -60,6 +52,26 @@ Key key(std::string name, vec2& field);
 Key key(std::string name, vec3& field);
 Key key(std::string name, dvec3& field);
 Key color_key(std::string name, vec3& field);
+Key place_key(std::string name, vec3& field);
+Key place_key(std::string name, dvec3& field);
+
+/// Appends a key for each value that a function of limits.h visits.
+struct KeyList {
+    std::vector<Key>& keys;
+
+    template <class Number>
+    void number(FieldName name, Number& field, Range range) const {
+        keys.push_back(key(name.file, field, range));
+    }
+    template <class Vector>
+    void place(FieldName name, Vector& field) const {
+        keys.push_back(place_key(name.file, field));
+    }
+    void color(FieldName name, vec3& field) const { keys.push_back(color_key(name.file, field)); }
+};
+
+/// Throws Error with the line of the key, or of the table if it has no such key, if there is a fault.
+void obey(const TomlValue& table, const std::optional<Fault>& fault);
 
 /// A key that is one of several words.
 template <typename Enum>

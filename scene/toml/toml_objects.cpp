@@ -37,20 +37,16 @@ constexpr std::size_t few_objects = 1000;
 
 Glare to_glare(const TomlValue& table) {
     Glare glare;
-    read_table(table, {
-                          key("radius", glare.radius, {1e-9, 1e9}),
-                          key("strength", glare.strength, not_negative),
-                          key("rays", glare.rays, {0, 64}),
-                          key("samples", glare.samples, {1, 4096}),
-                      });
+    std::vector<Key> keys;
+    visit_glare(glare, KeyList{keys});
+    read_table(table, keys);
     return glare;
 }
 
-// Sides of 1 to 4096 texels.
 void read_sides(const TomlValue& value, PixmapChoice& pixmap) {
     expect_numbers(value, 2);
-    pixmap.width = to_int(value.elements[0], {1, 4096});
-    pixmap.height = to_int(value.elements[1], {1, 4096});
+    pixmap.width = to_int(value.elements[0], pixmap_sides);
+    pixmap.height = to_int(value.elements[1], pixmap_sides);
 }
 
 PixmapChoice to_pixmap(const TomlValue& table) {
@@ -60,18 +56,12 @@ PixmapChoice to_pixmap(const TomlValue& table) {
     read_table(table, {
                           key("name", pixmap.name),
                           {"size", [&](const TomlValue& value) { read_sides(value, pixmap); }},
-                          key("texels", pixmap.texels_per_unit, {1e-9, 1e9}),
+                          key("texels", pixmap.texels_per_unit, texels_per_unit),
                           key("st", pixmap.given_st, {{"automatic", false}, {"texcoords", true}}),
                           color_key("emission", emission),
                       });
     if (table.find("emission")) pixmap.emission = emission;
-    if (!pixmap.name.empty() && !pixmap.given_st)
-        table.fail("pixmap '" + printable(pixmap.name) +
-                   "' has automatic ST; expected st = \"texcoords\" for a pixmap with a name");
-    if (pixmap.width == 0 && pixmap.given_st)
-        table.fail("pixmap has no size; expected size = [width, height] beside st = \"texcoords\"");
-    if (pixmap.width != 0 && pixmap.texels_per_unit != 0)
-        table.fail("pixmap has both size and texels; expected one of them");
+    obey(table, fault_of(pixmap));
     return pixmap;
 }
 
@@ -96,7 +86,7 @@ void TomlObjects::add(const TomlValue& table) {
         keep("material", object.material),
         keep("crease", object.crease),
         keep("parts", object.parts),
-        key("move", object.placed.move),
+        place_key("move", object.placed.move),
         {"pixmap", [&](const TomlValue& value) { object.placed.pixmap = to_pixmap(value); }},
         {"glare", [&](const TomlValue& value) { object.placed.glare = to_glare(value); }},
         key("divide", object.divide, {1, 256}),

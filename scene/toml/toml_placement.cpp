@@ -2,8 +2,6 @@
 #include "scene/geometry/transform.h"
 #include "scene/toml/toml_sections.h"
 
-#include <glm/matrix.hpp>
-
 namespace gw::scene {
 namespace {
 
@@ -48,10 +46,8 @@ dmat4 to_matrix(const TomlValue& value) {
     dmat4 m;
     for (int i = 0; i < 16; ++i)
         m[i % 4][i / 4] = to_double(value.elements[std::size_t(i)], placeable);
-    if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
-        value.fail(value.name + " is not affine; expected 0, 0, 0, 1 as its last row");
-    if (glm::determinant(dmat3(m)) == 0)
-        value.fail(value.name + " is singular; expected one that can be inverted");
+    if (const auto fault = fault_of(m))
+        value.fail(value.name + " is " + fault->is + "; expected " + fault->expected);
     return m;
 }
 

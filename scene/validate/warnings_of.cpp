@@ -19,7 +19,7 @@ std::string lines_and_points(const Scene& scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i)
         if (scene.objects[i].mesh->kind() != MeshKind::Triangles)
             return "lines and points are left out, as of object " + name_in_quotes(scene, i) +
-                   "; expected --renderer multipass or hardware for them";
+                   "; expected renderer multipass or hardware for them";
     return {};
 }
 

@@ -120,12 +120,12 @@ TEST(Commands, ClearTheDepthInAPassThatDoesNotUpdateIt) {
     scene::Scene s = two_squares();
     s.materials[0].Ke = vec3(1);
     Options options;
-    options.passes = PassList{{.name = "clear",
-                               .clear = picture,
-                               .depth = {.test = true, .func = DepthFunc::Less, .mask = false}},
-                              {.name = "shine",
-                               .material = {.Ke = object},
-                               .depth = {.test = true, .func = DepthFunc::Less, .mask = true}}};
+    options.pass_list = PassList{{.name = "clear",
+                                  .clear = picture,
+                                  .depth = {.test = true, .func = DepthFunc::Less, .mask = false}},
+                                 {.name = "shine",
+                                  .material = {.Ke = object},
+                                  .depth = {.test = true, .func = DepthFunc::Less, .mask = true}}};
     const auto machine = make_reference(vgx(), size, size);
     const std::vector<Rgba> first = draw(*machine, s, options);
     EXPECT_EQ(first[left][0], 255);

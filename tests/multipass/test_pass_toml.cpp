@@ -166,7 +166,7 @@ TEST_F(PassToml, DrawsWhatItSays) {
         "depth = {func = 'Equal', mask = false}\nblend = {src = 'One', dst = 'One'}\n");
     constexpr int size = 16;
     const auto machine = make_reference(vgx(), size, size);
-    render(*machine, s, scene::make_view(s, size, size), {.passes = list});
+    render(*machine, s, scene::make_view(s, size, size), {.pass_list = list});
     const auto& color = machine->planes().color;
     EXPECT_EQ(color[size / 2 * size + 2], (Rgba{255, 0, 0, 255}));
     EXPECT_EQ(color[size / 2 * size + 13], (Rgba{0, 200, 0, 255}));
@@ -187,7 +187,7 @@ TEST(OwnStencil, IsNotClearedByTheCountOfWinners) {
     constexpr int size = 16;
     const auto machine = make_reference(vgx(), size, size);
     render(*machine, s, scene::make_view(s, size, size),
-           {.passes = PassList{mark, rest, add_there}});
+           {.pass_list = PassList{mark, rest, add_there}});
     EXPECT_EQ(machine->planes().color[size / 2 * size + 2], (Rgba{255, 255, 255, 255}));
     EXPECT_EQ(machine->planes().color[size / 2 * size + 13], (Rgba{0, 0, 0, 255}));
 }

@@ -130,7 +130,8 @@ def test_item_buffer_and_rays():
     slow, fast = (gw.cast_rays(scene, m, 32, 24) for m in ("brute_force", "hierarchy"))
     assert np.array_equal(slow["color"],
                           fast["color"]) and slow["tests"].sum() > fast["tests"].sum()
-    with pytest.raises(gw.Error, match="expected brute_force"):
+    expected = "method 'magic': expected one of brute-force, volumes, hierarchy, grid"
+    with pytest.raises(gw.Error, match=expected):
         gw.cast_rays(scene, "magic")
     found = gw.renderer_differences(scene, 32, 24)
     assert sum(row["pixels"] for row in found["reasons"]) == 32 * 24

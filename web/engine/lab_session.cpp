@@ -4,10 +4,9 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
-#include "multipass/frame/scene_maps.h"
 #include "multipass/passes/pass_toml.h"
-#include "scene/draw/fit.h"
 #include "web/engine/method.h"
+#include "web/engine/request.h"
 #include "web/engine/rgba.h"
 
 #include <algorithm>
@@ -16,29 +15,7 @@
 namespace gw::lab {
 namespace {
 
-dvec3 point(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
-
-int side(const Json& options, const char* name) {
-    const int pixels = options.at(name);
-    if (pixels < 1 || pixels > max_window_size)
-        throw Error(std::string(name) + " " + std::to_string(pixels) + "; expected 1.." +
-                    std::to_string(max_window_size) + " pixels");
-    return pixels;
-}
-
-apps::DrawOptions draw_options(const Json& options) {
-    apps::DrawOptions draw;
-    draw.passes.samples = options.value("samples", 1);
-    draw.traced = options.value("reflections", "rays") == "rays";
-    draw.rays.depth = options.value("depth", draw.rays.depth);
-    draw.rays.threads = 1;
-    const std::string translucency = options.value("translucency", "sorted");
-    draw.passes.translucency = translucency == "layers"     ? multipass::Translucency::Layers
-                               : translucency == "unsorted" ? multipass::Translucency::Unsorted
-                                                            : multipass::Translucency::Sorted;
-    return draw;
-}
 
 template <class Visit>
 void for_each_map(scene::Scene& scene, const Visit& visit) {
@@ -83,7 +60,7 @@ void LabSession::add_picture(const std::string& path, int width, int height, int
 }
 
 Json LabSession::open(const Json& options) {
-    drivers_.clear();
+    drawn_.clear();
     lightings_ = {};
     rays_.reset();
     caster_.reset();
@@ -97,54 +74,35 @@ Json LabSession::open(const Json& options) {
              {"triangles", object.mesh ? object.mesh->data().indices.size() / 3 : 0}});
     for (const scene::Light& light : file_.scene.lights) lights.push_back(light.name);
     for_each_map(file_.scene, [&](const scene::Map& map) { pictures.push_back(key_of(map.file)); });
-    const scene::Scene seen = scene_for({{"width", 320}, {"height", 240}});
-    return {{"name", file_.scene.name},
-            {"warnings", file_.warnings},
-            {"objects", objects},
-            {"lights", lights},
-            {"pictures", pictures},
-            {"eye", json_of(seen.camera->eye)},
-            {"at", json_of(seen.camera->at)},
-            {"up", json_of(seen.camera->up)},
-            {"fov", seen.camera->fov}};
+    const render::Drawing shown =
+        render::make_drawing({.size = {320, 240}}, vgx(), {.scene = file_.scene});
+    const scene::Camera seen = *shown.scene.camera;
+    std::vector<std::string> warnings = file_.warnings;
+    for (const std::string& line : render::warnings(shown)) warnings.push_back(line);
+    return {{"name", file_.scene.name}, {"warnings", warnings},   {"objects", objects},
+            {"lights", lights},         {"pictures", pictures},   {"eye", json_of(seen.eye)},
+            {"at", json_of(seen.at)},   {"up", json_of(seen.up)}, {"fov", seen.fov}};
 }
 
 scene::Scene LabSession::scene_for(const Json& options) const {
-    scene::Scene scene = file_.scene;
-    scene::add_defaults(scene, side(options, "width"), side(options, "height"));
-    scene::CameraOverrides camera;
-    if (options.contains("eye")) camera.eye = point(options["eye"]);
-    if (options.contains("at")) camera.at = point(options["at"]);
-    if (options.contains("fov")) camera.fov = options["fov"];
-    scene.camera = scene::override_camera(*scene.camera, camera);
-    if (options.contains("up")) scene.camera->up = point(options["up"]);
-    if (const std::string shadow = options.value("shadow", ""); !shadow.empty())
-        for (scene::Light& light : scene.lights)
-            if (light.shadow != scene::Shadow::None)
-                light.shadow = shadow == "map"      ? scene::Shadow::Map
-                               : shadow == "volume" ? scene::Shadow::Volume
-                                                    : scene::Shadow::None;
-    return scene;
+    return render::scene_for(request_of(options), {.scene = file_.scene});
 }
 
 scene::View LabSession::view_of(const scene::Scene& scene, const Json& options) const {
-    return scene::make_view(scene, side(options, "width"), side(options, "height"));
-}
-
-std::unique_ptr<Machine> LabSession::new_machine(const Json& options) {
-    return make_fast(profile_named(options.value("profile", "vgx")), side(options, "width"),
-                     side(options, "height"), {.threads = 1});
+    const render::Size size = request_of(options).size;
+    return scene::make_view(scene, size.width, size.height);
 }
 
 Machine& LabSession::machine_for(const Json& options) {
+    const render::Request request = request_of(options);
     const std::string key =
-        Json{options.value("profile", "vgx"), options.at("width"), options.at("height")}.dump();
+        Json{request.machine, request.profile, request.size.width, request.size.height}.dump();
     if (key != machine_key_) {
         machine_key_.clear();
-        drivers_.clear();
+        drawn_.clear();
         rays_.reset();
         machine_.reset();
-        machine_ = new_machine(options);
+        machine_ = render::make_machine(request, render::load_profile(request));
         machine_key_ = key;
     }
     machine_->reset_passes();
@@ -161,32 +119,17 @@ void LabSession::load_textures(scene::Scene& scene) const {
     });
 }
 
-LabSession::Subject LabSession::subject_of(Machine& machine, const Json& options) const {
-    const std::string name = options.value("renderer", "multipass");
-    const std::vector<std::string> known = apps::renderer_names();
-    if (std::find(known.begin(), known.end(), name) == known.end())
-        throw Error("renderer '" + name +
-                    "'; expected hardware, multipass, scanline, raytrace or adaptive");
-    Subject subject{apps::renderer_named(name), scene_for(options), {}, draw_options(options)};
-    load_textures(subject.scene);
-    subject.view = view_of(subject.scene, options);
-    multipass::Options& passes = subject.draw.passes;
-    const bool lists = subject.renderer.passes == multipass::Renderer::Multipass;
-    if (const std::string list = options.value("list", ""); lists && !list.empty())
-        passes.passes = pass_list_from(list);
-    else if (lists && !file_.passes.empty())
-        passes.passes = multipass::read_passes(file_.passes);
-    multipass::Options maps = passes;
-    if (subject.renderer.passes)
-        maps.passes = apps::pass_list(subject.renderer, subject.scene, subject.draw);
-    if (multipass::has_scene_maps(subject.scene, maps))
-        subject.scene = multipass::with_scene_maps(machine, subject.scene, subject.view, maps);
-    return subject;
-}
-
-void LabSession::draw_scene(Machine& machine, const Json& options) const {
-    const Subject subject = subject_of(machine, options);
-    subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);
+render::Drawing LabSession::drawing_of(const Json& options) const {
+    const render::Request request = request_of(options);
+    std::optional<multipass::PassList> passes;
+    if (const std::string list = options.value("list", ""); !list.empty())
+        passes = pass_list_from(list);
+    else if (!file_.passes.empty())
+        passes = multipass::read_passes(file_.passes);
+    scene::Scene scene = file_.scene;
+    load_textures(scene);
+    return render::make_drawing(request, render::load_profile(request),
+                                {.scene = std::move(scene), .passes = std::move(passes)});
 }
 
 void LabSession::keep_picture(Machine& machine) {
@@ -195,59 +138,47 @@ void LabSession::keep_picture(Machine& machine) {
         image::picture_of(planes.color, planes.width, planes.height, machine.profile().color_bits));
 }
 
-void LabSession::draw_again(Machine& machine, const Subject& subject, const Json& options) {
+std::vector<std::string> LabSession::draw_again(Machine& machine, const Json& options) {
     Json key = options;
     for (const char* of_eye : {"eye", "at", "up", "fov"}) key.erase(of_eye);
-    Kept& kept = drivers_[subject.renderer.name];
-    if (!kept.driver || key.dump() != kept.key) {
-        kept.driver.reset();
-        multipass::Options passes = subject.draw.passes;
-        passes.renderer = *subject.renderer.passes;
-        const bool traced =
-            subject.draw.traced && passes.renderer == multipass::Renderer::Multipass;
-        kept.driver =
-            traced ? itembuffer::make_driver(machine, subject.scene, passes, subject.draw.rays)
-                   : std::make_unique<multipass::Driver>(machine, subject.scene, passes);
-        kept.key = key.dump();
+    render::Drawing drawing = drawing_of(options);
+    const scene::View view = drawing.view();
+    Drawn& drawn = drawn_[drawing.request.renderer];
+    if (!drawn.draw || key.dump() != drawn.key) {
+        drawn.draw = nullptr;
+        drawn.warnings = render::warnings(drawing);
+        drawn.drawing = std::make_unique<render::Drawing>(std::move(drawing));
+        drawn.draw = render::view_drawer(*drawn.drawing, machine);
+        drawn.key = key.dump();
     }
-    kept.driver->draw(subject.view);
-}
-
-bool LabSession::has_generated_maps() const {
-    return std::any_of(
-        file_.scene.materials.begin(), file_.scene.materials.end(), [](const scene::Material& m) {
-            return std::any_of(m.refl.begin(), m.refl.end(),
-                               [](const scene::Map& map) { return map.from_scene > 0; });
-        });
+    drawn.draw(view);
+    std::vector<std::string> warnings = drawn.warnings;
+    const std::string empty = render::empty_warning(*drawn.drawing, machine);
+    if (!empty.empty()) warnings.push_back(empty);
+    return warnings;
 }
 
 Json LabSession::draw(const Json& options) {
     Machine& machine = machine_for(options);
-    const Subject subject = subject_of(machine, options);
-    if (subject.renderer.passes && !has_generated_maps())
-        draw_again(machine, subject, options);
-    else
-        subject.renderer.draw(machine, subject.scene, subject.view, subject.draw);
+    const std::vector<std::string> warnings = draw_again(machine, options);
     keep_picture(machine);
     Json passes = Json::array();
     for (const PassReport& pass : machine.passes())
         passes.push_back({{"name", pass.name}, {"counters", inspect::json_of(pass.counters)}});
-    return {{"passes", passes}};
+    return {{"passes", passes}, {"warnings", warnings}};
 }
 
 std::string LabSession::manifest(const Json& options) {
     machine_key_.clear();
     Machine& machine = machine_for(options);
     inspect::DigestingMachine digesting(machine);
-    std::vector<CommandList> lists;
-    inspect::Recorder recorder(digesting, lists);
-    draw_scene(recorder, options);
+    const render::Drawing drawing = drawing_of(options);
+    inspect::Recording recording{.profile = drawing.profile,
+                                 .width = drawing.request.size.width,
+                                 .height = drawing.request.size.height};
+    inspect::Recorder recorder(digesting, recording.lists);
+    render::draw(drawing, drawing.view(), recorder);
     keep_picture(machine);
-    inspect::Recording recording;
-    recording.profile = machine.profile();
-    recording.width = side(options, "width");
-    recording.height = side(options, "height");
-    recording.lists = std::move(lists);
     return to_json(inspect::manifest_of(recording, machine.passes()));
 }
 

@@ -3,12 +3,11 @@
 // gw::Error.
 #pragma once
 
-#include "apps/render/renderers.h"
 #include "gw/machine.h"
 #include "hiddensurface/run/compare.h"
 #include "inspect/replay/replayed.h"
-#include "multipass/frame/driver.h"
 #include "raytrace/casting/casting.h"
+#include "render/drawing.h"
 #include "scene/draw/view.h"
 #include "scene/toml/read_scene.h"
 #include "web/engine/lighting.h"
@@ -38,7 +37,7 @@ public:
     /// needs.
     Json open(const Json& options);
     /// Draws the scene: options `renderer`, `samples`, `reflections`, `translucency`, `shadow`,
-    /// `depth`, and those of a view. Answers passes, counters, digests of the planes.
+    /// `depth`, and those of a view. Answers passes, counters, and `warnings` for people.
     Json draw(const Json& options);
     /// The same with the manifest that `gw render --manifest` writes.
     std::string manifest(const Json& options);
@@ -110,15 +109,8 @@ public:
     Machine& machine_for(const Json& options);
 
 private:
-    static std::unique_ptr<Machine> new_machine(const Json& options);
     /// What a renderer draws.
-    struct Subject {
-        const apps::Renderer& renderer;
-        scene::Scene scene;
-        scene::View view;
-        apps::DrawOptions draw;
-    };
-    Subject subject_of(Machine& machine, const Json& options) const;
+    render::Drawing drawing_of(const Json& options) const;
     struct Rays {
         Machine& machine;
         RayScene& scene;
@@ -126,10 +118,9 @@ private:
     };
     Rays rays_for(const Json& options);
     const raytrace::RayCaster& caster_for(const Json& options);
-    bool has_generated_maps() const;
-    /// Draws with what the last picture left that no eye changes; the same bits.
-    void draw_again(Machine& machine, const Subject& subject, const Json& options);
-    void draw_scene(Machine& machine, const Json& options) const;
+    /// Draws with what the last picture left that no eye changes; the same bits. Answers
+    /// render::warnings of the first of these pictures, and a line if this one is empty.
+    std::vector<std::string> draw_again(Machine& machine, const Json& options);
     void load_textures(scene::Scene& scene) const;
     void keep_picture(Machine& machine);
     const Lighting& lighting_of(const Json& options) const;
@@ -141,11 +132,13 @@ private:
     std::map<std::string, TextureRef> pictures_;
     std::unique_ptr<Machine> machine_;
     std::string machine_key_;
-    struct Kept {
+    struct Drawn {
         std::string key;
-        std::unique_ptr<multipass::Driver> driver;
+        std::vector<std::string> warnings;
+        std::unique_ptr<render::Drawing> drawing;
+        std::function<void(const scene::View&)> draw;  ///< refers to it
     };
-    std::map<std::string, Kept> drivers_;  ///< by renderer; of machine_
+    std::map<std::string, Drawn> drawn_;  ///< by renderer; with machine_
     std::unique_ptr<inspect::Replayed> replayed_;
     std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved again
     std::unique_ptr<RayScene> rays_;                      ///< of machine_

@@ -1,8 +1,9 @@
 // Ray casting as it is taught [L9 to L12]: pictures and their costs by a method and an inside test,
 // what one ray looks at, and the three inside tests on any polygon.
-#include "apps/render/casts.h"
 #include "gw/error.h"
+#include "image/plane_pictures.h"
 #include "raytrace/casting/cast_picture.h"
+#include "render/words/option_words.h"
 #include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
@@ -13,13 +14,6 @@
 
 namespace gw::lab {
 namespace {
-
-template <class Table>
-auto named(const Table& table, const std::string& word, const char* what) {
-    for (const auto& row : table)
-        if (word == row.first) return row.second;
-    throw Error(fmt::format("{} '{}'; expected {} or one of its like", what, word, table[0].first));
-}
 
 Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
@@ -54,9 +48,12 @@ const raytrace::RayCaster& LabSession::caster_for(const Json& options) {
         options.value("method", "grid") + " " + options.value("inside", "crossings");
     if (shapes_.empty()) shapes_ = raytrace::cast_shapes(file_.scene);
     if (!caster_ || key != caster_key_) {
-        caster_ = raytrace::make_caster(
-            named(apps::cast_methods, options.value("method", "grid"), "method"), shapes_,
-            named(apps::inside_tests, options.value("inside", "crossings"), "inside test"));
+        caster_ =
+            raytrace::make_caster(render::value_from("method", options.value("method", "grid"),
+                                                     render::cast_method_words),
+                                  shapes_,
+                                  render::value_from("inside", options.value("inside", "crossings"),
+                                                     render::inside_test_words));
         caster_key_ = key;
     }
     return *caster_;
@@ -71,7 +68,7 @@ Json LabSession::cast(const Json& options) {
     const raytrace::CastPicture picture = raytrace::cast_picture(caster, shapes_, scene, view, 1);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begun;
     picture_ = rgba_of(image::picture_of(picture.color, view.width, view.height, 8));
-    change_ = rgba_of(apps::picture_of_tests(picture.tests, view.width, view.height));
+    change_ = rgba_of(image::amount_picture(picture.tests, view.width, view.height));
     return {{"counts", json_of(picture.counts)},
             {"shapes", shapes_.size()},
             {"milliseconds", time.count()}};
@@ -106,7 +103,7 @@ Json LabSession::inside(const Json& options) {
     Json cells = Json::array(), sides = Json::array();
     const auto tests_of = [&](const dvec2& p) {
         int bits = 0, bit = 1;
-        for (const auto& test : apps::inside_tests) {
+        for (const auto& test : render::inside_test_words) {
             if (raytrace::inside(test.second, p, corners)) bits |= bit;
             bit *= 2;
         }

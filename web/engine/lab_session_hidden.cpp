@@ -6,6 +6,7 @@
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
 #include "web/engine/method.h"
+#include "web/engine/request.h"
 
 #include <algorithm>
 
@@ -71,7 +72,7 @@ std::string LabSession::hidden(const Json& options) {
 std::string LabSession::polygons(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
-    const Profile profile = profile_named(options.value("profile", "vgx"));
+    const Profile profile = render::load_profile(request_of(options));
     const hs::Input input = hs::make_input(scene, view, profile);
     return hs::polygons_json(input, hs::hex_colors(input));
 }

@@ -7,7 +7,6 @@
 #include "inspect/replay/plane_values.h"
 #include "inspect/report/prices.h"
 #include "multipass/passes/pass_toml.h"
-#include "multipass/steps/schedule.h"
 #include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
@@ -15,27 +14,6 @@
 
 namespace gw::lab {
 namespace {
-
-/// Where a pass that runs comes from.
-struct Source {
-    std::string set;
-    std::size_t row = 0;
-};
-
-/// By the names of the passes that run.
-std::map<std::string, Source> sources_of(const multipass::PassList& list,
-                                         const scene::Scene& scene) {
-    std::map<std::string, Source> sources;
-    const multipass::PassModel model = multipass::make_pass_model(scene);
-    for (const multipass::Step& step : multipass::schedule(list, model)) {
-        const auto row = std::find_if(list.begin(), list.end(), [&](const multipass::Pass& pass) {
-            return pass.name == step.pass.name;
-        });
-        sources[multipass::name_of(step, model)] = {multipass::to_string(step.pass.material),
-                                                    std::size_t(row - list.begin())};
-    }
-    return sources;
-}
 
 Plane plane_from(const std::string& word) {
     for (const Plane plane : every_plane)
@@ -51,22 +29,20 @@ inspect::Replayed& kept(const std::unique_ptr<inspect::Replayed>& replayed) {
 }  // namespace
 
 Json LabSession::passes(const Json& options) {
-    const std::unique_ptr<Machine> fresh = new_machine(options);
-    Machine& machine = *fresh;
-    inspect::Recording recording{
-        .profile = machine.profile(), .width = options.at("width"), .height = options.at("height")};
-    inspect::Recorder recorder(machine, recording.lists);
-    const Subject subject = subject_of(recorder, options);
-    subject.renderer.draw(recorder, subject.scene, subject.view, subject.draw);
-    keep_picture(machine);
+    const render::Drawing drawing = drawing_of(options);
+    const auto machine = render::make_machine(drawing.request, drawing.profile);
+    inspect::Recording recording{.profile = drawing.profile,
+                                 .width = drawing.request.size.width,
+                                 .height = drawing.request.size.height};
+    inspect::Recorder recorder(*machine, recording.lists);
+    render::draw(drawing, drawing.view(), recorder);
+    keep_picture(*machine);
 
-    multipass::PassList list;
-    if (subject.renderer.passes)
-        list = apps::pass_list(subject.renderer, subject.scene, subject.draw);
-    const auto sources = sources_of(list, subject.scene);
+    const multipass::PassList list = render::pass_list(drawing);
+    const auto sources = render::pass_sources(drawing);
     const report::PriceList prices = report::vgx_prices();
     Json passes = Json::array();
-    for (const PassReport& pass : machine.passes()) {
+    for (const PassReport& pass : machine->passes()) {
         const auto source = sources.find(pass.name);
         const bool own = source != sources.end();
         passes.push_back({{"name", pass.name},

@@ -6,6 +6,7 @@
 #include "gw/stages/tables.h"
 #include "gw/stages/vertex.h"
 #include "inspect/replay/pixel_history.h"
+#include "render/options.h"
 #include "scene/draw/view.h"
 #include "web/engine/method.h"
 #include "web/engine/rgba.h"
@@ -102,7 +103,9 @@ struct Asked {
 vec4 color_from(const Json& json) { return {json.at(0), json.at(1), json.at(2), json.at(3)}; }
 
 Asked asked_from(const Json& options) {
-    Asked asked{.profile = profile_named(options.value("profile", "vgx")),
+    render::Request request;
+    render::set(request, "profile", options.value("profile", request.profile));
+    Asked asked{.profile = render::load_profile(request),
                 .width = options.at("width"),
                 .height = options.at("height")};
     for (std::size_t i = 0; i < 3; ++i) {

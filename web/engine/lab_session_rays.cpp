@@ -50,16 +50,17 @@ std::vector<std::uint8_t> turned(const std::vector<Value>& values, int width) {
 
 LabSession::Rays LabSession::rays_for(const Json& options) {
     Machine& machine = machine_for(options);
-    Subject subject = subject_of(machine, options);
+    const render::Drawing drawing = drawing_of(options);
+    const scene::Scene scene = render::scene_with_maps(drawing, drawing.view(), machine);
     Json key = options;
     for (const char* other : {"eye", "at", "up", "fov", "from", "x", "y"}) key.erase(other);
-    if (!rays_ || key.dump() != rays_key_ || has_generated_maps()) {
+    if (!rays_ || key.dump() != rays_key_ || render::has_scene_maps(drawing)) {
         rays_.reset();
-        rays_ = std::make_unique<RayScene>(machine, itembuffer::compared_scene(subject.scene),
-                                           subject.draw.rays.depth);
+        rays_ = std::make_unique<RayScene>(machine, itembuffer::compared_scene(scene),
+                                           drawing.request.depth);
         rays_key_ = key.dump();
     }
-    return {machine, *rays_, subject.view};
+    return {machine, *rays_, drawing.view()};
 }
 
 Json LabSession::rays(const Json& options) {
@@ -117,8 +118,9 @@ Json LabSession::outside(const Json& options) {
     Machine& machine = machine_for(options);
     CullingMachine culling(machine);
     const scene::View view = view_of(scene, options);
-    apps::DrawOptions draw;
-    apps::renderer_named("hardware").draw(culling, scene, view, draw);
+    render::draw(
+        {.request = {.renderer = "hardware"}, .profile = machine.profile(), .scene = scene}, view,
+        culling);
     keep_picture(machine);
     return {{"eye", json_of(scene.camera->eye)},
             {"at", json_of(scene.camera->at)},

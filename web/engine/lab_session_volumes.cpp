@@ -80,15 +80,18 @@ Json LabSession::volumes(const Json& options) {
     if (count == 0) throw Error("no light of this scene casts a shadow volume");
 
     Machine& machine = machine_for(options);
-    apps::DrawOptions draw;
-    draw.traced = false;
-    draw.passes.translucency = multipass::Translucency::Unsorted;  // all volumes have one colour
-    apps::renderer_named("multipass").draw(machine, shown, view_of(shown, options), draw);
+    const scene::Camera seen_by = *shown.camera;
+    const scene::View view = view_of(shown, options);
+    render::draw({.request = {.translucency = multipass::Translucency::Unsorted,  // of one colour
+                              .traced = false},
+                  .profile = machine.profile(),
+                  .scene = std::move(shown)},
+                 view, machine);
     keep_picture(machine);
     return {{"volumes", count},
-            {"eye", json_of(shown.camera->eye)},
-            {"at", json_of(shown.camera->at)},
-            {"up", json_of(shown.camera->up)}};
+            {"eye", json_of(seen_by.eye)},
+            {"at", json_of(seen_by.at)},
+            {"up", json_of(seen_by.up)}};
 }
 
 const Method methods[] = {

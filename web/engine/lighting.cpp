@@ -1,8 +1,8 @@
 #include "web/engine/lighting.h"
 
-#include "apps/radiosity/changes.h"
 #include "gw/error.h"
 #include "image/plane_pictures.h"
+#include "radiosity/model/changes.h"
 
 #include <set>
 
@@ -13,7 +13,7 @@ using Json = Lighting::Json;
 
 Json json_of_color(const dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-apps::Change change_of(const Json& json) {
+radiosity::Change change_of(const Json& json) {
     const Json& v = json.at("value");
     return {json.at("object"), json.at("what"), {v.at(0), v.at(1), v.at(2)}};
 }

@@ -84,7 +84,7 @@ Json RayScene::by_passes(const scene::View& view) {
         multipass::Options passes;
         const bool any = raytrace::any_traced(scene_);
         if (any) {
-            passes.passes =
+            passes.pass_list =
                 itembuffer::passes_with_tracing(scene_, multipass::Translucency::Sorted);
             const itembuffer::Options rays{
                 .depth = depth_, .threads = 1, .counts = &counts_, .world = world()};

@@ -89,9 +89,9 @@ TEST_F(EffectOptions, CountersAddUp) {
 
 TEST_F(EffectOptions, AreCheckedBeforeAnythingIsDrawn) {
     expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--translucency", "glass"},
-                   {"--translucency 'glass'", "layers, sorted, unsorted"});
+                   {"--translucency 'glass'", "sorted, unsorted, layers"});
     expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--shadow", "soft"},
-                   {"--shadow 'soft'", "map, none, volume"});
+                   {"--shadow 'soft'", "none, volume, map"});
     expect_refused(2, {"render", "panes.toml", "-o", "a.png", "--counters", "a.png"},
                    {"--counters and --output are the same file"});
     expect_refused(1, {"render", "panes.toml", "-o", "a.png", "--counters", "missing/c.json"},

@@ -197,7 +197,7 @@ TEST(LessWork, LeavesOutSamplesThenRaysThenPasses) {
     EXPECT_EQ(steps[2].left_out, "1 sample, no rays");
     EXPECT_EQ(steps[3].left_out, "1 sample, no rays, one pass");
     EXPECT_EQ(steps[3].settings.picture.renderer, "hardware");
-    settings.picture = {.renderer = "hardware"};
+    settings.picture = {{.renderer = "hardware"}};
     EXPECT_EQ(less_work(settings).size(), 1u);
 }
 
@@ -325,7 +325,7 @@ TEST_F(ViewerTest, SavesViewsWhoseLightTheCommandDrawsWithTheSameBits) {
         ASSERT_EQ(shown->show(), Viewer::Show::Light);
         expect_same(*shown, "picture.png");
     }
-    const auto large = viewer("room.toml", {.size = {100, 30}});
+    const auto large = viewer("room.toml", {{.size = {100, 30}}});
     press(*large, {"l"});
     expect_same(*large, "picture.png");
     for (int row = 0; row < 30 && large->message() != "lamp times 1.25"; ++row) {

@@ -102,7 +102,7 @@ TEST(WarningsOf, NameWhatIsNotShown) {
         "objects 'lamp' and 'ceiling' share a part of a plane: which of them is seen there depends "
         "on rounding; expected them a little apart";
     const std::string lines =
-        "lines and points are left out, as of object 'wire'; expected --renderer multipass or "
+        "lines and points are left out, as of object 'wire'; expected renderer multipass or "
         "hardware for them";
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), (Strings{lines, shared}));
     const Strings passes = warnings_of(scene, view, DrawnBy::Passes);

@@ -14,12 +14,12 @@
 #include <string>
 #include <vector>
 
-namespace gw::apps {
+namespace gw::render {
 
 /// The options of all renderers.
 struct DrawOptions {
-    /// `renderer` is the renderer's own; `passes` replaces its list
-    multipass::Options passes;
+    /// `renderer` is the renderer's own; `pass_list` replaces its list
+    multipass::Options multipass;
     itembuffer::Options rays;
     /// eq. 5: reflections of illum 3 and up by rays; false: reflection maps only
     bool traced = true;
@@ -30,15 +30,15 @@ struct Renderer {
     std::string about;  ///< a few words for --help
     /// Leaves the picture in the machine's colour plane. The view is as large as its window.
     std::function<void(Machine&, const scene::Scene&, const scene::View&, const DrawOptions&)> draw;
-    /// The owner of the pass list that it draws; none: it has no passes and components to show.
-    std::optional<multipass::Renderer> passes;
+    /// Of the pass list that it draws; none: it has no passes and components to show.
+    std::optional<multipass::Renderer> pass_owner;
     /// Names of scene effects that it does not draw.
     std::vector<std::string> leaves_out{};
     scene::DrawnBy drawn_by = scene::DrawnBy::Passes;
 };
 
 const std::vector<Renderer>& renderers();
-/// By a name of renderer_names().
+/// Throws OptionError if there is none of this name.
 const Renderer& renderer_named(const std::string& name);
 std::vector<std::string> renderer_names();
 /// A line that names the scene's effects that the renderer does not draw; empty: it draws all.
@@ -50,4 +50,7 @@ multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scen
 /// "hardware: eq. 1 ...; multipass: ... (default)"
 std::string renderers_help();
 
-}  // namespace gw::apps
+/// "fast", "reference": the default first.
+std::vector<std::string> machines();
+
+}  // namespace gw::render

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace gw::apps {
+namespace gw::radiosity {
 
 /// "lamp:emission=1,2,3" and its like.
 struct Change {
@@ -15,7 +15,7 @@ struct Change {
     dvec3 value{0};      ///< dim: three times its factor
 };
 
-/// Throws UsageError if no object has the name.
+/// Throws Error if no object has the name.
 void apply(const Change& change, scene::Scene& scene);
 
-}  // namespace gw::apps
+}  // namespace gw::radiosity

@@ -1,32 +1,33 @@
-#include "apps/render/renderers.h"
+#include "render/renderers.h"
 
 #include "hiddensurface/run/scan_line_renderer.h"
 #include "itembuffer/adaptive.h"
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "multipass/frame/superpose.h"
+#include "render/words/option_values.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
-namespace gw::apps {
+namespace gw::render {
 namespace {
 
 void draw_hardware(Machine& machine, const scene::Scene& scene, const scene::View& view,
                    const DrawOptions& options) {
-    multipass::Options passes = options.passes;
-    passes.renderer = multipass::Renderer::Hardware;
-    multipass::render(machine, scene, view, passes);
+    multipass::Options hardware = options.multipass;
+    hardware.renderer = multipass::Renderer::Hardware;
+    multipass::render(machine, scene, view, hardware);
 }
 
 void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::View& view,
                     const DrawOptions& options) {
     if (options.traced)
-        itembuffer::render(machine, scene, view, options.passes, options.rays);
+        itembuffer::render(machine, scene, view, options.multipass, options.rays);
     else
-        multipass::render(machine, scene, view, options.passes);
+        multipass::render(machine, scene, view, options.multipass);
 }
 
 void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
@@ -38,21 +39,21 @@ void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::V
             now, multipass::view_at(view, sample), machine.profile(),
             multipass::jitter_of(sample, machine.profile().subpixel_bits)));
     };
-    const int samples = options.passes.samples;
+    const int samples = options.multipass.samples;
     multipass::superpose(
         machine, samples, 0, draw,
-        multipass::weights_of(samples, options.passes.weighted, machine.profile()));
+        multipass::weights_of(samples, options.multipass.weighted, machine.profile()));
 }
 
 void draw_rays(Machine& machine, const scene::Scene& scene, const scene::View& view,
                const DrawOptions& options) {
-    itembuffer::superpose_ray_traced(machine, scene, view, options.passes.samples, options.rays,
-                                     options.passes.weighted);
+    itembuffer::superpose_ray_traced(machine, scene, view, options.multipass.samples, options.rays,
+                                     options.multipass.weighted);
 }
 
 void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::View& view,
                    const DrawOptions& options) {
-    itembuffer::render_adaptive(machine, scene, view, options.passes.samples, options.rays);
+    itembuffer::render_adaptive(machine, scene, view, options.multipass.samples, options.rays);
 }
 
 bool has_effect(const std::string& name, const scene::Scene& scene) {
@@ -94,8 +95,8 @@ const std::vector<Renderer>& renderers() {
 }
 
 const Renderer& renderer_named(const std::string& name) {
-    return *std::find_if(renderers().begin(), renderers().end(),
-                         [&](const Renderer& r) { return r.name == name; });
+    one_of("renderer", name, renderer_names());
+    return *std::ranges::find(renderers(), name, &Renderer::name);
 }
 
 std::vector<std::string> renderer_names() {
@@ -115,10 +116,10 @@ std::string left_out(const Renderer& renderer, const scene::Scene& scene) {
 
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,
                               const DrawOptions& options) {
-    if (options.passes.passes) return *options.passes.passes;
-    if (*renderer.passes == multipass::Renderer::Multipass && options.traced)
-        return itembuffer::passes_with_tracing(scene, options.passes.translucency);
-    return multipass::passes_for(scene, *renderer.passes, options.passes.translucency);
+    if (options.multipass.pass_list) return *options.multipass.pass_list;
+    if (*renderer.pass_owner == multipass::Renderer::Multipass && options.traced)
+        return itembuffer::passes_with_tracing(scene, options.multipass.translucency);
+    return multipass::passes_for(scene, *renderer.pass_owner, options.multipass.translucency);
 }
 
 std::string renderers_help() {
@@ -128,4 +129,6 @@ std::string renderers_help() {
     return help;
 }
 
-}  // namespace gw::apps
+std::vector<std::string> machines() { return {"fast", "reference"}; }
+
+}  // namespace gw::render

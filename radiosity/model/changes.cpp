@@ -1,10 +1,10 @@
-#include "apps/radiosity/changes.h"
+#include "radiosity/model/changes.h"
 
-#include "apps/command/command.h"
+#include "gw/error.h"
 
 #include <set>
 
-namespace gw::apps {
+namespace gw::radiosity {
 namespace {
 
 void change_object(const Change& change, scene::Scene& scene, scene::Object& object) {
@@ -37,7 +37,7 @@ void apply(const Change& change, scene::Scene& scene) {
     if (found) return;
     std::string known;
     for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-    throw UsageError("--change: no object '" + change.object + "'; expected one of " + known);
+    throw Error("no object '" + change.object + "'; expected one of " + known);
 }
 
-}  // namespace gw::apps
+}  // namespace gw::radiosity
