@@ -7,11 +7,11 @@
 #include "apps/hidden/options.h"
 #include "gw/error.h"
 #include "hiddensurface/interface/line_algorithm.h"
-#include "hiddensurface/quiz/quiz.h"
 #include "hiddensurface/run/estimate.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <memory>
 
@@ -84,80 +84,39 @@ void add_output_options(CLI::App& command, HiddenOptions& options) {
                     "A sheet of all algorithms with difference pictures, and the counts as CSV, "
                     "JSON and HTML")
         ->type_name("DIR");
-    command
-        .add_option("--polygons", options.polygons,
-                    "Writes the polygons on the window grid, for an algorithm in any language")
-        ->type_name("FILE.json");
-    command
-        .add_option("--play", options.play,
-                    "Draws the steps that such an algorithm answers and grades them; with --steps, "
-                    "shows them")
-        ->type_name("FILE.jsonl");
-    CLI::Option* json = command.add_flag_callback(
-        "--json", [&] { options.form = Form::Json; }, "The counts as JSON");
-    command
-        .add_flag_callback(
-            "--csv", [&] { options.form = Form::Csv; }, "The counts as comma-separated values")
-        ->excludes(json);
+    add_form_options(command, options.form, true);
 }
 
-void add_exercise_options(CLI::App& command, HiddenOptions& options) {
-    CLI::Option* quiz = command
-                            .add_option("--quiz", options.quiz,
-                                        "Instead of a scene's pictures: exercises in DIR/handout, "
-                                        "their answers in DIR/key.json")
-                            ->type_name("DIR");
-    const auto number = [&, quiz](const char* name, int& to, int low, int high, const char* help) {
-        command
-            .add_option_function<std::string>(
-                name,
-                [name, &to, low, high](const std::string& word) {
-                    to = whole_number_from(name, word, low, high);
-                },
-                help)
-            ->type_name("N")
-            ->needs(quiz);
+/// Tasks that have commands of their own.
+void add_other_commands(CLI::App& command) {
+    constexpr std::pair<const char*, const char*> others[] = {
+        {"--quiz", "gw quiz DIR"},
+        {"--seed", "gw quiz DIR --seed N"},
+        {"--questions", "gw quiz DIR --questions N"},
+        {"--kind", "gw quiz DIR --kind NAME"},
+        {"--students", "gw quiz DIR --students N"},
+        {"--grade", "gw grade KEY.json ANSWERS.json"},
+        {"--fragments", "gw fragments SCENE LIST.csv"},
+        {"--marked", "gw fragments SCENE LIST.csv --marked IMAGE"},
+        {"--truth", "gw fragments SCENE --truth FILE.csv"},
+        {"--play", "gw play SCENE STEPS.jsonl"},
+        {"--polygons", "gw play SCENE --polygons FILE.json"},
     };
-    number("--seed", options.seed, 0, 2147483647,
-           "With --quiz: the same seed gives the same questions (default 1)");
-    number("--questions", options.questions, 1, 99,
-           "With --quiz: the number of questions (default 7)");
-    command
-        .add_option("--students", options.students,
-                    "With --quiz: a quiz for each student, in folders of their own. A number, or a "
-                    "file with lines name or name,seed")
-        ->type_name("N|FILE.csv")
-        ->needs(quiz);
-    command
-        .add_option_function<std::string>(
-            "--kind",
-            [&](const std::string& word) {
-                options.kind = one_of("--kind", word, hs::quiz_kinds());
-            },
-            "With --quiz: questions of one kind (default: all kinds in turn)")
-        ->type_name("NAME")
-        ->needs(quiz);
-    command
-        .add_option(
-            "--grade", options.grade,
-            "Compares answers to a quiz with its key; of a class: the folder of the keys and "
-            "that of the answers, one line for each student")
-        ->expected(2)
-        ->type_name("KEY.json ANSWERS.json");
-    command
-        .add_option("--fragments", options.fragments,
-                    "Compares a list x,y,polygon of the visible fragments with the Z-buffer's")
-        ->type_name("FILE.csv");
-    command.add_option("--truth", options.truth, "Writes the correct list")->type_name("FILE.csv");
-    command.add_option("--marked", options.marked, "With --fragments: a picture of the mistakes")
-        ->type_name("IMAGE");
+    for (const auto& [name, other] : others)
+        command
+            .add_option_function<std::vector<std::string>>(
+                name,
+                [name = name, other = other](const std::vector<std::string>&) {
+                    throw UsageError(std::string(name) +
+                                     ": gw hidden has no such option; expected " + other);
+                },
+                "")
+            ->expected(0, 2)
+            ->group("");
 }
 
 void add_options(CLI::App& command, HiddenOptions& options) {
-    add_picture_options(command, options.picture);
-    command.get_option("SCENE")->required(false);  // --quiz and --grade take none
-    remove_pass_options(command);
-    command.get_option("--size")->description("Pixels, both sides 1..4096 (default 320x240)");
+    add_polygon_options(command, options.picture);
     command
         .add_option_function<std::string>(
             "--algorithm",
@@ -171,39 +130,13 @@ void add_options(CLI::App& command, HiddenOptions& options) {
             "Leave out algorithms that would take longer (default 300); 0: none")
         ->type_name("SECONDS");
     add_output_options(command, options);
-    add_exercise_options(command, options);
+    add_other_commands(command);
 }
 
 void check(const HiddenOptions& options) {
-    const bool exercises = !options.quiz.empty() || !options.grade.empty();
-    const bool fragments = !options.fragments.empty() || !options.truth.empty();
-    if ((exercises || fragments) &&
-        !(options.algorithms.empty() && options.steps.empty() && options.compare.empty()))
+    if (!options.steps.empty() && options.algorithms.empty())
         throw UsageError(
-            "--quiz, --grade, --fragments and --truth choose the algorithm themselves; expected no "
-            "--algorithm, --steps or --compare");
-    const bool programs = !options.polygons.empty() || !options.play.empty();
-    if (programs &&
-        (exercises || fragments || !options.algorithms.empty() || !options.compare.empty()))
-        throw UsageError(
-            "--polygons and --play are for an algorithm of one's own; expected no --algorithm, "
-            "--compare or exercise");
-    if (!options.polygons.empty() && !options.play.empty())
-        throw UsageError("--polygons and --play exclude each other; expected one of them");
-    if (!options.quiz.empty() && !options.grade.empty())
-        throw UsageError("--quiz and --grade exclude each other; expected one of them");
-    if (exercises && !options.picture.scene.empty())
-        throw UsageError(
-            "SCENE: --quiz makes its own scenes and --grade needs none; expected no SCENE");
-    if (!exercises && options.picture.scene.empty())
-        throw UsageError(
-            "SCENE is required; expected a TOML scene or a Wavefront OBJ file, or --quiz DIR or "
-            "--grade KEY ANSWERS");
-    if (!options.marked.empty() && options.fragments.empty())
-        throw UsageError("--marked shows mistakes; expected --fragments FILE.csv");
-    if (!options.steps.empty() && options.algorithms.empty() && options.play.empty())
-        throw UsageError(
-            "--steps needs an algorithm; expected --algorithm NAME, or two (NAME,NAME), or --play FILE");
+            "--steps needs an algorithm; expected --algorithm NAME, or two (NAME,NAME)");
     if (!options.compare.empty() && !options.algorithms.empty())
         throw UsageError("--compare compares all algorithms; expected no --algorithm");
 }
@@ -306,12 +239,6 @@ int surfaces(const HiddenOptions& options, Session& session) {
 
 int hidden(const HiddenOptions& options, Session& session) {
     check(options);
-    if (!options.quiz.empty()) return hidden_quiz(options, session);
-    if (!options.grade.empty()) return hidden_grade(options);
-    if (!options.fragments.empty() || !options.truth.empty())
-        return hidden_fragments(options, session);
-    if (!options.polygons.empty()) return hidden_polygons(options, session);
-    if (!options.play.empty()) return hidden_play(options, session);
     const bool lines = !options.algorithms.empty() &&
                        hs::line_algorithm_named(options.algorithms.front()) != nullptr;
     return lines ? hidden_lines(options, session) : surfaces(options, session);

@@ -1,5 +1,5 @@
-// gw hidden --polygons and --play: for algorithms in any language. Writes the polygons; draws the
-// steps that come back, counts them and grades them by the Z-buffer.
+// gw play: for algorithms in any language. Writes the polygons; draws the steps that come back,
+// counts them and grades them by the Z-buffer.
 #include "hiddensurface/run/play.h"
 #include "apps/command/command.h"
 #include "apps/command/table.h"
@@ -12,7 +12,10 @@
 #include "scene/text/text_file.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include <memory>
 
 namespace gw::apps {
 
@@ -20,6 +23,13 @@ namespace hs = hiddensurface;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+struct PlayOptions {
+    PictureOptions picture = polygon_options();
+    std::filesystem::path answer;           ///< a program's steps; "": none
+    std::filesystem::path polygons, steps;  ///< a file and a folder to write
+    Form form = Form::Text;
+};
 
 using Grades = std::vector<hs::PolygonGrade>;
 
@@ -61,32 +71,11 @@ std::string play_json(const Compared& run, const Grades& grades) {
     return json.dump(2) + "\n";
 }
 
-}  // namespace
-
-int hidden_polygons(const HiddenOptions& options, Session& session) {
-    image::check_target(options.polygons);
-    Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture, session);
-    const scene::Scene scene = load_scene(options.picture, session);
-    session.inputs.check(options.polygons);
-    const scene::View view =
-        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
-    const hs::Input input = hs::make_input(scene, view, profile);
-    image::write_file(options.polygons, hs::polygons_json(input, hs::hex_colors(input)));
-    return Done;
-}
-
-int hidden_play(const HiddenOptions& options, Session& session) {
-    Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture, session);
-    const scene::Scene scene = load_scene(options.picture, session);
-    session.inputs.add(options.play);
+int play_answer(const PlayOptions& options, const hs::Input& input, const Profile& profile,
+                Session& session, Progress& progress) {
     image::OutputSet output(session.inputs);
     if (!options.steps.empty()) output.make_folder(options.steps);
-    const scene::View view =
-        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
-    const hs::Input input = hs::make_input(scene, view, profile);
-    hs::Play play = hs::read_play(input, options.play.string(), scene::read_text(options.play));
+    hs::Play play = hs::read_play(input, options.answer.string(), scene::read_text(options.answer));
     progress.at("playing");
     const auto machine = make_machine(options.picture, profile, session);
     hs::StepLog none, log(play.level);
@@ -106,6 +95,49 @@ int hidden_play(const HiddenOptions& options, Session& session) {
           : options.form == Form::Csv ? counts_csv({run})
                                       : play_text(run, grades));
     return run.result.counts.wrong == 0 ? Done : Differs;
+}
+
+int play(const PlayOptions& options, Session& session) {
+    if (options.answer.empty() && options.polygons.empty())
+        throw UsageError(
+            "STEPS.jsonl is missing; expected a program's answer, or --polygons FILE.json");
+    if (!options.polygons.empty()) image::check_target(options.polygons);
+    Progress progress("reading", options.picture.quiet);
+    const Profile profile = load_profile(options.picture, session);
+    const scene::Scene scene = load_scene(options.picture, session);
+    if (!options.answer.empty()) session.inputs.add(options.answer);
+    session.inputs.check(options.polygons);
+    const scene::View view =
+        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
+    const hs::Input input = hs::make_input(scene, view, profile);
+    if (!options.polygons.empty())
+        image::write_file(options.polygons, hs::polygons_json(input, hs::hex_colors(input)));
+    return options.answer.empty() ? Done : play_answer(options, input, profile, session, progress);
+}
+
+}  // namespace
+
+Command add_play(CLI::App& app) {
+    CLI::App* command = app.add_subcommand(
+        "play", "Hidden-surface algorithms in any language: their polygons, their steps played");
+    const auto options = std::make_shared<PlayOptions>();
+    add_polygon_options(*command, options->picture);
+    command
+        ->add_option("STEPS", options->answer,
+                     "The steps of a program, lines of JSON: drawn, counted and graded")
+        ->type_name("FILE.jsonl");
+    command
+        ->add_option("--polygons", options->polygons,
+                     "Writes the polygons on the window grid, which the program reads")
+        ->type_name("FILE.json");
+    command->add_option("--steps", options->steps, "The log of the steps, and its player")
+        ->type_name("DIR");
+    add_form_options(*command, options->form, true);
+    command->footer(
+        "Exit code 3 if a pixel is wrong.\n"
+        "Example:\n"
+        "  build/release/bin/gw play scenes/hidden/cycle.toml --polygons polygons.json");
+    return {command, [options](Session& session) { return play(*options, session); }};
 }
 
 }  // namespace gw::apps

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """A BSP tree in Python, walked as it is built: what lies behind a plane is drawn before it.
 
-    gw hidden scenes/hidden/cycle.toml --polygons polygons.json
+    gw play scenes/hidden/cycle.toml --polygons polygons.json
     python3 examples/hidden_surfaces/bsp.py polygons.json > steps.jsonl
-    gw hidden scenes/hidden/cycle.toml --play steps.jsonl --steps played
+    gw play scenes/hidden/cycle.toml steps.jsonl --steps played
 """
 import json
 import sys

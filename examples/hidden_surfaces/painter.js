@@ -1,8 +1,8 @@
 // A painter's algorithm in JavaScript: sorts by the mean of the corners and draws far to near.
 //
-//     gw hidden scenes/hidden/cycle.toml --polygons polygons.json
+//     gw play scenes/hidden/cycle.toml --polygons polygons.json
 //     node examples/hidden_surfaces/painter.js polygons.json > steps.jsonl
-//     gw hidden scenes/hidden/cycle.toml --play steps.jsonl --steps played
+//     gw play scenes/hidden/cycle.toml steps.jsonl --steps played
 
 const { readFileSync } = require("fs");
 

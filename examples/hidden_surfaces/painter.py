@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """A painter's algorithm in Python: sorts by the farthest corner and draws far to near.
 
-    gw hidden scenes/hidden/cycle.toml --polygons polygons.json
+    gw play scenes/hidden/cycle.toml --polygons polygons.json
     python3 examples/hidden_surfaces/painter.py polygons.json > steps.jsonl
-    gw hidden scenes/hidden/cycle.toml --play steps.jsonl --steps played
+    gw play scenes/hidden/cycle.toml steps.jsonl --steps played
 """
 
 import json

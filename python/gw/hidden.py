@@ -46,7 +46,7 @@ def polygons(
     scene: Scene, *, width: int = 320, height: int = 240, profile: Profile | str = "vgx",
     camera: Camera | None = None
 ) -> dict[str, Any]:
-    """The polygons on the window grid with their planes, as `gw hidden --polygons` writes them."""
+    """The polygons on the window grid with their planes, as `gw play --polygons` writes them."""
     text = hidden_polygons_json(scene, width=width, height=height, profile=profile, camera=camera)
     found: dict[str, Any] = json.loads(text)
     return found

@@ -11,7 +11,7 @@
 
 namespace gw::hiddensurface {
 
-Algorithm mine();  ///< mine.cpp, the lecture's example
+Algorithm mine();  ///< examples/hidden_surfaces/mine.cpp, the lecture's example
 
 inline scene::Scene case_scene(const std::string& name) {
     scene::Scene scene =

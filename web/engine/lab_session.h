@@ -89,9 +89,9 @@ public:
     /// Runs a hidden-surface or hidden-line algorithm: options `algorithm`, `level`, `limit`, and
     /// those of a view. The answer is the text of steps.jsonl that `gw hidden --steps` writes.
     std::string hidden(const Json& options);
-    /// What an algorithm in any language works on, as `gw hidden --polygons` writes it.
+    /// What an algorithm in any language works on, as `gw play --polygons` writes it.
     std::string polygons(const Json& options);
-    /// Draws and grades the `steps` of such an algorithm, lines of JSON, as `gw hidden --play` does.
+    /// Draws and grades the `steps` of such an algorithm, lines of JSON, as `gw play` does.
     std::string play(const Json& options);
 
     /// The last picture, RGBA of 8 bits, top row first.

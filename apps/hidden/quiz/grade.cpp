@@ -1,21 +1,19 @@
-// gw hidden --grade and --fragments: compares students' answers with the key, and their fragments
-// with the Z-buffer's.
+// gw grade: compares students' answers with the key of their quiz.
 #include "apps/command/command.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/options.h"
-#include "apps/hidden/pictures.h"
 #include "gw/error.h"
 #include "gw/shown.h"
-#include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
-#include "image/write.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <memory>
 #include <set>
 
 namespace gw::apps {
@@ -34,8 +32,7 @@ Json read_json(const std::filesystem::path& file) {
     try {
         return Json::parse(text);
     } catch (const nlohmann::json::exception& error) {
-        fail(file,
-             scene::printable(error.what(), 200) + "; expected JSON that gw hidden --quiz wrote");
+        fail(file, scene::printable(error.what(), 200) + "; expected JSON that gw quiz wrote");
     }
 }
 
@@ -56,6 +53,11 @@ std::string answer_of(const std::filesystem::path& file, const std::string& numb
     return hs::canonical_answer(words);
 }
 
+struct GradeOptions {
+    std::filesystem::path key, answers;  ///< files, or folders of a class
+    Form form = Form::Text;
+};
+
 struct Key {
     std::string number, kind, answer, why;
 };
@@ -68,11 +70,10 @@ std::vector<Key> read_key(const std::filesystem::path& file, Json& seed) {
         for (const Json& a : json.at("answers"))
             key.push_back({std::to_string(a.at("number").get<int>()), a.at("kind"),
                            hs::canonical_answer(a.at("answer")), a.at("why")});
-        if (key.empty()) fail(file, "no answers; expected a key that gw hidden --quiz wrote");
+        if (key.empty()) fail(file, "no answers; expected a key that gw quiz wrote");
         return key;
     } catch (const nlohmann::json::exception& error) {
-        fail(file,
-             scene::printable(error.what(), 200) + "; expected a key that gw hidden --quiz wrote");
+        fail(file, scene::printable(error.what(), 200) + "; expected a key that gw quiz wrote");
     }
 }
 
@@ -97,65 +98,6 @@ std::map<std::string, std::string> read_answers(const std::filesystem::path& fil
     }
     return answers;
 }
-
-/// A reason why most pixels are wrong, if they are; a list of another size often is.
-std::string hint_of(const hs::FragmentGrade& grade, const Size& size) {
-    if (2 * grade.right >= grade.expected) return "";
-    return fmt::format(
-        "most pixels are wrong: was the list made with --size {}x{} and with this camera?\n",
-        size.width, size.height);
-}
-
-std::string text_of(const hs::FragmentGrade& grade, const std::string& name) {
-    constexpr std::size_t most = 20;
-    std::string text = fmt::format(
-        "expected {}\nright {}\nmissing {}\ndoubled {}\nmisplaced {}\nwrong {}\n", grade.expected,
-        grade.right, grade.missing, grade.doubled, grade.misplaced, grade.wrong);
-    for (std::size_t i = 0; i < grade.mistakes.size() && i < most; ++i) {
-        const hs::FragmentMistake& m = grade.mistakes[i];
-        text += m.line > 0 ? fmt::format("{}:{}: ", name, m.line) : name + ": ";
-        text += fmt::format("{}: {},{}", hs::name_of(m.mistake), m.x, m.y);
-        if (m.given != 0) text += fmt::format(" polygon {}", m.given);
-        text += m.expected != 0 ? fmt::format("; expected polygon {}\n", m.expected)
-                                : "; expected none\n";
-    }
-    if (grade.mistakes.size() > most)
-        text += fmt::format("and {} more\n", grade.mistakes.size() - most);
-    return text;
-}
-
-std::string json_of(const hs::FragmentGrade& grade) {
-    Json json{{"expected", grade.expected},   {"right", grade.right},
-              {"missing", grade.missing},     {"doubled", grade.doubled},
-              {"misplaced", grade.misplaced}, {"wrong", grade.wrong}};
-    json["mistakes"] = Json::array();
-    for (const hs::FragmentMistake& m : grade.mistakes)
-        json["mistakes"].push_back({{"mistake", hs::name_of(m.mistake)},
-                                    {"x", m.x},
-                                    {"y", m.y},
-                                    {"line", m.line},
-                                    {"given", m.given},
-                                    {"expected", m.expected}});
-    return json.dump(2) + "\n";
-}
-
-/// The darkened picture with the mistakes in --compare's colours: wrong red, doubled yellow,
-/// misplaced cyan, missing blue.
-image::Picture marked(image::Picture picture, const hs::FragmentGrade& grade) {
-    for (std::uint16_t& v : picture.values) v = static_cast<std::uint16_t>(v / 3);
-    for (const hs::FragmentMistake& m : grade.mistakes) {
-        const Color color = m.mistake == hs::Mistake::Wrong       ? red
-                            : m.mistake == hs::Mistake::Doubled   ? yellow
-                            : m.mistake == hs::Mistake::Misplaced ? cyan
-                                                                  : blue;
-        put(picture, pixel_index(m.x, picture.height - 1 - m.y, picture.width), color);
-    }
-    return picture;
-}
-
-}  // namespace
-
-namespace {
 
 struct GradedAnswer {
     Key key;
@@ -240,7 +182,7 @@ std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesyst
         if (scene::file_exists(entry.path() / "key.json"))
             folders.insert(entry.path().filename().string());
     if (folders.empty())
-        fail(keys, "has no folder with key.json; expected the answers of gw hidden --students");
+        fail(keys, "has no folder with key.json; expected the answers of gw quiz --students");
     warn_of_strangers(answers, folders);
     std::vector<std::pair<std::string, GradedQuiz>> all;
     for (const std::string& folder : folders)
@@ -276,8 +218,8 @@ std::string csv_of(const std::vector<std::vector<std::string>>& rows) {
     return text;
 }
 
-int grade_class(const HiddenOptions& options) {
-    const auto all = graded_class(options.grade[0], options.grade[1]);
+int grade_class(const GradeOptions& options) {
+    const auto all = graded_class(options.key, options.answers);
     bool is_all_right = true;
     Json list = Json::object();
     for (const auto& [folder, quiz] : all) {
@@ -290,43 +232,32 @@ int grade_class(const HiddenOptions& options) {
     return is_all_right ? Done : Differs;
 }
 
-}  // namespace
-
-int hidden_grade(const HiddenOptions& options) {
-    if (std::filesystem::is_directory(options.grade[0])) return grade_class(options);
-    const GradedQuiz quiz = graded(options.grade[0], options.grade[1]);
+int grade(const GradeOptions& options) {
+    if (std::filesystem::is_directory(options.key)) return grade_class(options);
+    const GradedQuiz quiz = graded(options.key, options.answers);
     print(options.form == Form::Json ? json_of(quiz) : text_of(quiz));
     return quiz.is_all_right() ? Done : Differs;
 }
 
-int hidden_fragments(const HiddenOptions& options, Session& session) {
-    if (!options.marked.empty()) check_picture_target(options.marked);
-    if (!options.truth.empty()) image::check_target(options.truth);
-    Progress progress("reading", options.picture.quiet);
-    const Profile profile = load_profile(options.picture, session);
-    const scene::Scene scene = load_scene(options.picture, session);
-    session.inputs.add(options.fragments);
-    for (const auto& target : {options.truth, options.marked}) session.inputs.check(target);
-    const scene::View view =
-        scene::make_view(scene, options.picture.size.width, options.picture.size.height);
-    const hs::Input input = hs::make_input(scene, view, profile);
-    hs::StepLog none;
-    const auto z_buffer = hs::run_on(*make_machine(options.picture, profile, session),
-                                     hs::algorithm_named("z-buffer"), input, none)
-                              .ids;
-    if (!options.truth.empty())
-        image::write_file(options.truth, hs::fragments_text(z_buffer, input));
-    if (options.fragments.empty()) return Done;
-    const std::string name = options.fragments.string();
-    const auto grade = hs::grade_fragments(
-        hs::read_fragments(name, scene::read_text(options.fragments), input), z_buffer, input);
-    if (!options.marked.empty())
-        image::write_picture(options.marked,
-                             marked(picture_of_ids(input, z_buffer, flat_colors(input)), grade));
-    print(options.form == Form::Json
-              ? json_of(grade)
-              : text_of(grade, shown(name)) + hint_of(grade, options.picture.size));
-    return grade.all_right() ? Done : Differs;
+}  // namespace
+
+Command add_grade(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("grade", "Compares answers to a quiz with its key");
+    const auto options = std::make_shared<GradeOptions>();
+    command->add_option("KEY", options->key, "The key; of a class, the folder of the keys")
+        ->required()
+        ->type_name("KEY.json");
+    command
+        ->add_option("ANSWERS", options->answers,
+                     "The answers; of a class, their folder: one line for each student")
+        ->required()
+        ->type_name("ANSWERS.json");
+    add_form_options(*command, options->form, true);
+    command->footer(
+        "Exit code 3 unless all are right.\n"
+        "Example:\n"
+        "  build/release/bin/gw grade quiz/key.json quiz/handout/answers.json || test $? = 3");
+    return {command, [options](Session&) { return grade(*options); }};
 }
 
 }  // namespace gw::apps

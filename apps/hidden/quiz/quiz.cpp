@@ -1,4 +1,4 @@
-// gw hidden --quiz: writes a handout of questions with drawings and scenes, and the answers beside
+// gw quiz: writes a handout of questions with drawings and scenes, and the answers beside
 // it; or one for each student.
 #include "hiddensurface/quiz/quiz.h"
 #include "apps/command/command.h"
@@ -13,7 +13,10 @@
 #include "hiddensurface/lines/draw_lines.h"
 
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include <memory>
 
 namespace gw::apps {
 
@@ -21,6 +24,15 @@ namespace hs = hiddensurface;
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+struct QuizOptions {
+    std::filesystem::path folder;
+    int seed = 1, questions = 7;
+    std::string kind;      ///< of the questions; "": all kinds in turn
+    std::string students;  ///< students_from; "": one quiz
+    Form form = Form::Text;
+    bool quiet = false;
+};
 
 /// The log of the algorithm that decides the question, as a page; empty if the build has no pages.
 std::string player_of(const hs::Question& question) {
@@ -178,14 +190,14 @@ std::string put_quiz(image::OutputSet& output, const Folders& folders, const Qui
     return form == Form::Json ? questions.dump(2) + "\n" : all.text;
 }
 
-QuizSheet quiz_sheet(const HiddenOptions& options, const std::string& student, int seed) {
+QuizSheet quiz_sheet(const QuizOptions& options, const std::string& student, int seed) {
     return {student, seed, hs::make_quiz(std::uint32_t(seed), options.questions, options.kind)};
 }
 
 /// A folder and a seed for each student, and the class's list.
-std::string put_class(image::OutputSet& output, const HiddenOptions& options,
+std::string put_class(image::OutputSet& output, const QuizOptions& options,
                       const std::vector<Student>& students, Progress& progress) {
-    const auto handout = options.quiz / "handout", answers = options.quiz / "answers";
+    const auto handout = options.folder / "handout", answers = options.folder / "answers";
     output.make_folder(answers);
     std::string list = "student,seed,folder\n", text;
     for (const Student& student : students) {
@@ -198,28 +210,72 @@ std::string put_class(image::OutputSet& output, const HiddenOptions& options,
         text += fmt::format("{}: seed {}\n", student.folder, student.seed);
         output.commit();
     }
-    output.add(options.quiz / "class.csv").write_text(list);
+    output.add(options.folder / "class.csv").write_text(list);
     return text;
+}
+
+int quiz(const QuizOptions& options, const Session& session) {
+    image::OutputSet output(session.inputs);
+    std::vector<Student> students;
+    if (!options.students.empty()) students = students_from(options.students, options.seed);
+    const std::filesystem::path handout = options.folder / "handout";
+    output.make_folder(options.folder);
+    output.make_folder(handout);
+    Progress progress("making questions", options.quiet);
+    const std::string text = options.students.empty()
+                                 ? put_quiz(output, {handout, options.folder},
+                                            quiz_sheet(options, "", options.seed), options.form)
+                                 : put_class(output, options, students, progress);
+    if (options.students.empty()) put_index(output, options.folder, session);
+    output.commit();
+    print(text);
+    return Done;
+}
+
+void add_whole_number(CLI::App& command, const char* name, int& to, int low, int high,
+                      const char* help) {
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &to, low, high](const std::string& word) {
+                to = whole_number_from(name, word, low, high);
+            },
+            help)
+        ->type_name("N");
 }
 
 }  // namespace
 
-int hidden_quiz(const HiddenOptions& options, const Session& session) {
-    image::OutputSet output(session.inputs);
-    std::vector<Student> students;
-    if (!options.students.empty()) students = students_from(options.students, options.seed);
-    const std::filesystem::path handout = options.quiz / "handout";
-    output.make_folder(options.quiz);
-    output.make_folder(handout);
-    Progress progress("making questions", options.picture.quiet);
-    const std::string text = options.students.empty()
-                                 ? put_quiz(output, {handout, options.quiz},
-                                            quiz_sheet(options, "", options.seed), options.form)
-                                 : put_class(output, options, students, progress);
-    if (options.students.empty()) put_index(output, options.quiz, session);
-    output.commit();
-    print(text);
-    return Done;
+Command add_quiz(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("quiz", "Exercises about hidden surfaces, with their answers");
+    const auto options = std::make_shared<QuizOptions>();
+    command
+        ->add_option("DIR", options->folder,
+                     "The exercises go to DIR/handout, their answers to DIR/key.json")
+        ->required()
+        ->type_name("DIR");
+    add_whole_number(*command, "--seed", options->seed, 0, 2147483647,
+                     "The same seed gives the same questions (default 1)");
+    add_whole_number(*command, "--questions", options->questions, 1, 99,
+                     "The number of questions (default 7)");
+    command
+        ->add_option("--students", options->students,
+                     "A quiz for each student, in folders of their own. A number, or a file with "
+                     "lines name or name,seed")
+        ->type_name("N|FILE.csv");
+    command
+        ->add_option_function<std::string>(
+            "--kind",
+            [options](const std::string& word) {
+                options->kind = one_of("--kind", word, hs::quiz_kinds());
+            },
+            "Questions of one kind (default: all kinds in turn)")
+        ->type_name("NAME");
+    add_form_options(*command, options->form, false);
+    command->add_flag("--quiet", options->quiet, "No progress");
+    command->footer("Example:\n  build/release/bin/gw quiz quiz --seed 7");
+    return {command, [options](Session& session) { return quiz(*options, session); }};
 }
 
 }  // namespace gw::apps

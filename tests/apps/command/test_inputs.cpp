@@ -41,7 +41,7 @@ TEST_F(Inputs, OfASceneStayAsTheyAre) {
     expect_kept({"cast", "mine.toml", "-o", "map.png"}, "map.png");
     expect_kept({"cast", "mine.toml", "-o", "a.png", "--tests", "map.png"}, "map.png");
     expect_kept({"styles", "mine.toml", "-o", "map.png"}, "map.png");
-    expect_kept({"hidden", "mine.toml", "--truth", "quad.obj"}, "quad.obj");
+    expect_kept({"fragments", "mine.toml", "--truth", "quad.obj"}, "quad.obj");
 }
 
 TEST_F(Inputs, OfATurntableAreNotOneOfItsPictures) {

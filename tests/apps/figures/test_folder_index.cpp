@@ -73,7 +73,7 @@ TEST_F(Index, LeavesPagesOfOthersAlone) {
 }
 
 TEST_F(Index, OfAQuizIsTheTeachersOnly) {
-    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--questions", "2"}).code, 0);
+    ASSERT_EQ(gw({"quiz", "q", "--questions", "2"}).code, 0);
     EXPECT_TRUE(contains(page("q"), "src=\"handout/picture_02.svg\""));
     EXPECT_TRUE(contains(page("q"), "<a href=\"key.json\">"));
     EXPECT_FALSE(fs::exists(in("q/handout/index.html")));

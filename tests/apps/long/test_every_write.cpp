@@ -16,7 +16,7 @@ TEST_F(FailingWrites, OfFoldersThatAreNewOrKept) {
     expect_whole_or_nothing(
         {"hidden", "lamps.toml", "--algorithm", "newell", "--steps", "steps", "--size", "16x16"},
         {"steps"});
-    expect_whole_or_nothing({"hidden", "--quiz", "quiz", "--questions", "1"}, {"quiz"});
+    expect_whole_or_nothing({"quiz", "quiz", "--questions", "1"}, {"quiz"});
 }
 
 }  // namespace gw::apps

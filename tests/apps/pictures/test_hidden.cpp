@@ -250,40 +250,77 @@ TEST_F(Hidden, DrawsHiddenLinesWithStepsAndCounts) {
 }
 
 TEST_F(Hidden, GradesAFragmentList) {
-    EXPECT_EQ(hidden({"--truth", "truth.csv"}).code, 0);
-    const Outcome right = hidden({"--fragments", "truth.csv"});
+    const auto fragments = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"fragments", cycle, "--size", "48x36"});
+        return gw(words);
+    };
+    EXPECT_EQ(fragments({"--truth", "truth.csv"}).code, 0);
+    const Outcome right = fragments({"truth.csv"});
     EXPECT_EQ(right.code, 0) << right.err;
     EXPECT_NE(right.out.find("missing 0\ndoubled 0\nmisplaced 0\nwrong 0\n"), std::string::npos);
     EXPECT_EQ(right.out.find("--size"), std::string::npos);
     write("mine.csv", "x,y,polygon\n0,0,1\n");
-    const std::string bad = hidden({"--fragments", "mine.csv"}).out;
+    const std::string bad = fragments({"mine.csv"}).out;
     EXPECT_NE(bad.find("was the list made with --size"), std::string::npos) << bad;
-    const Outcome mine = hidden({"--fragments", "mine.csv", "--marked", "marked.png", "--json"});
+    const Outcome mine = fragments({"mine.csv", "--marked", "marked.png", "--json"});
     EXPECT_EQ(mine.code, 3);
     const auto grade = nlohmann::json::parse(mine.out);
     EXPECT_EQ(grade["misplaced"], 1);
     EXPECT_EQ(grade["missing"], grade["expected"]);
     EXPECT_EQ(read_pixels(in("marked.png")).width, 48);
     write("bad.csv", "0,0,1\n0,0\n");
-    expect_refused(1, {"hidden", cycle, "--size", "48x36", "--fragments", "bad.csv"},
+    expect_refused(1, {"fragments", cycle, "bad.csv", "--size", "48x36"},
                    {"bad.csv:2: ", "expected x,y,polygon"});
-    expect_refused(1, {"hidden", cycle, "--fragments", "none.csv"}, {"none.csv"});
-    expect_refused(1, {"hidden", "none.toml", "--truth", "no/such.csv"}, {"no/such.csv"});
+    expect_refused(1, {"fragments", cycle, "none.csv"}, {"none.csv"});
+    expect_refused(1, {"fragments", "none.toml", "--truth", "no/such.csv"}, {"no/such.csv"});
+    expect_refused(2, {"fragments", cycle}, {"LIST.csv", "--truth"});
+    expect_refused(2, {"fragments", cycle, "--truth", "t.csv", "--marked", "m.png"},
+                   {"--marked", "LIST.csv"});
+    expect_refused(2, {"fragments", cycle, "f.csv", "--marked", "m.xyz"}, {"m.xyz"});
+    expect_refused(2, {"fragments", cycle, "f.csv", "--algorithm", "bsp"}, {"--algorithm"});
 }
 
-TEST_F(Hidden, RefusesExercisesThatMakeNoSense) {
+TEST_F(Hidden, PlayWritesPolygonsAndNeedsSomethingToDo) {
+    EXPECT_EQ(gw({"play", cycle, "--polygons", "p.json"}).code, 0);
+    EXPECT_EQ(nlohmann::json::parse(bytes_of(in("p.json")))["log"], "gw hidden polygons");
+    expect_refused(2, {"play", cycle}, {"STEPS.jsonl", "--polygons"});
+    expect_refused(1, {"play", cycle, "none.jsonl"}, {"none.jsonl"});
+    expect_refused(1, {"play", cycle, "--polygons", "no/such.json"}, {"no/such.json"});
+    expect_refused(2, {"play", cycle, "s.jsonl", "--compare", "c"}, {"--compare"});
+}
+
+TEST_F(Hidden, QuizRefusesWrongValues) {
     expect_refused(2, {"hidden"}, {"SCENE is required"});
-    expect_refused(2, {"hidden", cycle, "--quiz", "q"}, {"--quiz", "no SCENE"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--grade", "a", "b"}, {"--quiz", "--grade"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--kind", "riddle"}, {"--kind 'riddle'", "order"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--questions", "0"}, {"--questions '0'"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--seed", "-1"}, {"--seed '-1'"});
-    expect_refused(2, {"hidden", cycle, "--marked", "m.png"}, {"--marked", "--fragments"});
-    expect_refused(2, {"hidden", cycle, "--fragments", "f.csv", "--marked", "m.xyz"}, {"m.xyz"});
-    expect_refused(2, {"hidden", cycle, "--seed", "3"}, {"--seed", "--quiz"});
-    expect_refused(2, {"hidden", "--quiz", "q", "--algorithm", "bsp"},
-                   {"--quiz", "no --algorithm"});
-    expect_refused(1, {"hidden", "--quiz", "no/such"}, {"no/such"});
+    expect_refused(2, {"quiz"}, {"DIR is required"});
+    expect_refused(2, {"grade", "q/key.json"}, {"ANSWERS is required"});
+    expect_refused(2, {"quiz", "q", cycle}, {"unexpected word"});
+    expect_refused(2, {"quiz", "q", "--kind", "riddle"}, {"--kind 'riddle'", "order"});
+    expect_refused(2, {"quiz", "q", "--questions", "0"}, {"--questions '0'"});
+    expect_refused(2, {"quiz", "q", "--seed", "-1"}, {"--seed '-1'"});
+    expect_refused(2, {"quiz", "q", "--algorithm", "bsp"}, {"--algorithm"});
+    expect_refused(1, {"quiz", "no/such"}, {"no/such"});
+}
+
+TEST_F(Hidden, NamesTheCommandsOfOtherTasks) {
+    const std::pair<std::vector<std::string>, std::string> moved[] = {
+        {{"--quiz", "q", "--seed", "7"}, "gw quiz DIR"},
+        {{"--seed", "7"}, "gw quiz DIR --seed N"},
+        {{"--questions", "7"}, "gw quiz DIR --questions N"},
+        {{"--kind", "order"}, "gw quiz DIR --kind NAME"},
+        {{"--students", "3"}, "gw quiz DIR --students N"},
+        {{"--grade", "key.json", "answers.json"}, "gw grade KEY.json ANSWERS.json"},
+        {{cycle, "--fragments", "f.csv"}, "gw fragments SCENE LIST.csv"},
+        {{cycle, "--marked", "m.png"}, "gw fragments SCENE LIST.csv --marked IMAGE"},
+        {{cycle, "--truth", "t.csv"}, "gw fragments SCENE --truth FILE.csv"},
+        {{cycle, "--play", "s.jsonl"}, "gw play SCENE STEPS.jsonl"},
+        {{cycle, "--polygons", "p.json"}, "gw play SCENE --polygons FILE.json"},
+    };
+    for (auto [words, command] : moved) {
+        words.insert(words.begin(), "hidden");
+        expect_refused(2, words, {"no such option; expected " + command + "\n"});
+    }
+    EXPECT_EQ(gw({"hidden", "--help"}).out.find("--quiz"), std::string::npos);
+    expect_refused(2, {"new-algorithm", "mine"}, {"unknown command"});
 }
 
 TEST_F(Hidden, StylesAreSixPicturesInOneFigure) {

@@ -10,7 +10,7 @@ namespace gw::apps {
 using QuizFiles = CommandTest;
 
 TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
-    const Outcome outcome = gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "7"});
+    const Outcome outcome = gw({"quiz", "q", "--seed", "3", "--questions", "7"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     std::vector<std::string> expected{"answers.html", "handout", "index.html", "index.json",
                                       "key.json"};
@@ -32,13 +32,13 @@ TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
     for (const auto& a : key["answers"])
         mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
     write("mine.json", mine.dump());
-    EXPECT_EQ(gw({"hidden", "--grade", "q/key.json", "mine.json"}).code, 0);
-    const Outcome empty = gw({"hidden", "--grade", "q/key.json", "q/handout/answers.json"});
+    EXPECT_EQ(gw({"grade", "q/key.json", "mine.json"}).code, 0);
+    const Outcome empty = gw({"grade", "q/key.json", "q/handout/answers.json"});
     EXPECT_EQ(empty.code, 3);
     EXPECT_NE(empty.out.find("0 of 7 right"), std::string::npos);
     mine["answers"]["3"] = 99;
     write("mine.json", mine.dump());
-    const Outcome wrong = gw({"hidden", "--grade", "q/key.json", "mine.json", "--json"});
+    const Outcome wrong = gw({"grade", "q/key.json", "mine.json", "--json"});
     EXPECT_EQ(wrong.code, 3);
     EXPECT_EQ(nlohmann::json::parse(wrong.out)["right"], 6);
     EXPECT_EQ(nlohmann::json::parse(wrong.out)["answers"][2]["grade"], "wrong");
@@ -48,7 +48,7 @@ TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
     EXPECT_EQ(scene.code, 0) << scene.err;
     EXPECT_EQ(nlohmann::json::parse(scene.out)[0]["counts"]["polygons"], 4);
     // Again, the same bytes.
-    EXPECT_EQ(gw({"hidden", "--quiz", "again", "--seed", "3", "--questions", "7"}).code, 0);
+    EXPECT_EQ(gw({"quiz", "again", "--seed", "3", "--questions", "7"}).code, 0);
     for (const std::string& name : handout)
         EXPECT_EQ(bytes_of(in("again/handout/" + name)), bytes_of(in("q/handout/" + name))) << name;
     EXPECT_EQ(bytes_of(in("again/key.json")), bytes_of(in("q/key.json")));
@@ -57,7 +57,7 @@ TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
 // The page has every question in both languages with a drawing, and no answer; the answers lead to
 // the step that decides.
 TEST_F(QuizFiles, QuizIsAPageToPrint) {
-    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "14"}).code, 0);
+    ASSERT_EQ(gw({"quiz", "q", "--seed", "3", "--questions", "14"}).code, 0);
     const std::string handout = bytes_of(in("q/handout/quiz.html")),
                       answers = bytes_of(in("q/answers.html"));
     const auto count = [](const std::string& text, const std::string& part) {
@@ -85,16 +85,16 @@ TEST_F(QuizFiles, QuizIsAPageToPrint) {
 
 TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
     write("class.csv", "name,seed\n\"Ann\",5\n../Bo b,\xE6\xA3\xAE\n");
-    expect_refused(1, {"hidden", "--quiz", "q", "--students", "class.csv"},
+    expect_refused(1, {"quiz", "q", "--students", "class.csv"},
                    {"class.csv:3: ", "expected a whole number"});
     write("class.csv", "name,seed\nAnn,5\n../Bo b\n\xE6\xA3\xAE\n");
     const Outcome made =
-        gw({"hidden", "--quiz", "q", "--students", "class.csv", "--seed", "8", "--questions", "2"});
+        gw({"quiz", "q", "--students", "class.csv", "--seed", "8", "--questions", "2"});
     ASSERT_EQ(made.code, 0) << made.err;
     EXPECT_EQ(bytes_of(in("q/class.csv")),
               "student,seed,folder\n\"Ann\",5,01_Ann\n\"../Bo b\",9,02____Bo_b\n"
               "\"\xE6\xA3\xAE\",10,03_\xE6\xA3\xAE\n");
-    ASSERT_EQ(gw({"hidden", "--quiz", "five", "--seed", "5", "--questions", "2"}).code, 0);
+    ASSERT_EQ(gw({"quiz", "five", "--seed", "5", "--questions", "2"}).code, 0);
     EXPECT_EQ(bytes_of(in("q/handout/01_Ann/questions.json")),
               bytes_of(in("five/handout/questions.json")));
     // Ann is right, Bo has one wrong, the third gave none.
@@ -109,7 +109,7 @@ TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
     std::filesystem::create_directory(in("given"));
     give("01_Ann", false);
     give("02____Bo_b", true);
-    const Outcome report = gw({"hidden", "--grade", "q/answers", "given", "--csv"});
+    const Outcome report = gw({"grade", "q/answers", "given", "--csv"});
     EXPECT_EQ(report.code, 3);
     EXPECT_EQ(report.err, "");
     EXPECT_EQ(report.out.substr(0, report.out.find('\n')),
@@ -120,21 +120,20 @@ TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
     EXPECT_NE(report.out.find("\",\"10\",\"0\",\"2\","), report.out.npos) << report.out;
     // A misspelt file is named: its student counts as one without answers.
     write("given/1_Ann.json", "{}");
-    EXPECT_EQ(gw({"hidden", "--grade", "q/answers", "given", "--csv"}).err,
+    EXPECT_EQ(gw({"grade", "q/answers", "given", "--csv"}).err,
               "gw: warning: given/1_Ann.json: belongs to no student; expected 01_Ann.json or "
               "01_Ann/answers.json\n");
-    expect_refused(1, {"hidden", "--grade", "q/handout", "given"}, {"q/handout", "key.json"});
-    expect_refused(1, {"hidden", "--grade", "q/answers", "class.csv"}, {"class.csv", "folder"});
-    expect_refused(2, {"hidden", "--quiz", "p", "--students", "0"}, {"--students '0'"});
-    expect_refused(1, {"hidden", "--quiz", "p", "--students", "none.csv"}, {"none.csv"});
+    expect_refused(1, {"grade", "q/handout", "given"}, {"q/handout", "key.json"});
+    expect_refused(1, {"grade", "q/answers", "class.csv"}, {"class.csv", "folder"});
+    expect_refused(2, {"quiz", "p", "--students", "0"}, {"--students '0'"});
+    expect_refused(1, {"quiz", "p", "--students", "none.csv"}, {"none.csv"});
 }
 
 TEST_F(QuizFiles, RefusesAnswersThatFitNoKey) {
-    ASSERT_EQ(gw({"hidden", "--quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
+    ASSERT_EQ(gw({"quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
     const auto refused = [&](const std::string& text, const std::string& part) {
         write("mine.json", text);
-        expect_refused(1, {"hidden", "--grade", "q/key.json", "mine.json"},
-                       {"mine.json", part, "expected"});
+        expect_refused(1, {"grade", "q/key.json", "mine.json"}, {"mine.json", part, "expected"});
     };
     refused("{", "expected JSON");
     refused("[]", "no answers");
@@ -143,9 +142,9 @@ TEST_F(QuizFiles, RefusesAnswersThatFitNoKey) {
     refused(R"({"seed": 3, "answers": {"9": "a"}})", "'9'");
     refused(R"({"seed": 3, "answers": {"1": {"a": 1}}})", "answer 1");
     refused(R"({"seed": 3, "answers": {"1": 1.5}})", "answer 1");
-    expect_refused(1, {"hidden", "--grade", "q/handout/answers.json", "mine.json"},
+    expect_refused(1, {"grade", "q/handout/answers.json", "mine.json"},
                    {"answers.json", "expected a key"});
-    expect_refused(1, {"hidden", "--grade", "none.json", "mine.json"}, {"none.json"});
+    expect_refused(1, {"grade", "none.json", "mine.json"}, {"none.json"});
 }
 
 }  // namespace gw::apps

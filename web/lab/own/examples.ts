@@ -1,4 +1,4 @@
-// Programs to begin with: algorithms that speak the protocol of `gw hidden --play`.
+// Programs to begin with: algorithms that speak the protocol of `gw play`.
 
 export const examples: Readonly<Record<string, string>> = {
   painter: `// A painter's algorithm: sorts by the farthest corner, draws far to near.
