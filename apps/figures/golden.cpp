@@ -1,9 +1,11 @@
-// gw golden: compares every pass of every figure, on each profile, with a folder of manifests.
+// gw golden: compares every pass of every figure, on each profile, with a folder of manifests and
+// the table of digests beside them.
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/figure_table.h"
 #include "apps/figures/folder_index.h"
+#include "apps/figures/golden_table.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
@@ -29,10 +31,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A panel's recording, and the name of its manifest in the folder of goldens: "fig1/3_vgx.json".
+/// A panel's recording, and its name in the folder of goldens: "fig1/3_vgx".
 struct GoldenRecording {
-    std::filesystem::path file;
+    std::string name;
     inspect::Recording recording;
+
+    /// The papers' machine has manifests, the other profiles a table of digests.
+    bool has_manifest() const {
+        for (const Profile& profile : paper_profiles())
+            if (profile != vgx() && profile.name == recording.profile.name) return false;
+        return true;
+    }
 };
 
 /// A temporary folder for the pictures, which nobody looks at.
@@ -102,7 +111,7 @@ std::vector<GoldenRecording> run_golden_panel(const Figure& figure, std::size_t 
             const std::string stem = fmt::format("{}_{}", index + 1, r.profile.name);
             std::string name = stem;
             for (int i = 2; !taken.insert(name).second; ++i) name = fmt::format("{}_{}", stem, i);
-            all.push_back({fs::path(figure.name) / (name + ".json"), std::move(r)});
+            all.push_back({figure.name + "/" + name, std::move(r)});
         }
     }
     return all;
@@ -114,12 +123,17 @@ struct GoldenOptions {
     std::vector<Profile> profiles = gw::paper_profiles();
     MachineOptions machine;
     bool update = false;
+    fs::path manifest(const GoldenRecording& golden) const {
+        return folder / (golden.name + ".json");
+    }
+    fs::path table() const { return folder / "digests.txt"; }
 };
 
 /// The counts over all figures so far.
 struct Tally {
-    std::size_t manifests = 0, passes = 0, different = 0;
-    std::set<fs::path> files;
+    std::size_t panels = 0, passes = 0, different = 0;
+    std::set<std::string> names;
+    GoldenTable table;  ///< of the file; with --update, what it becomes
 };
 
 /// The recording as another process would read it, from its bytes.
@@ -129,67 +143,107 @@ inspect::Recording reread(const inspect::Recording& recording) {
 
 void keep(const GoldenOptions& options, const GoldenRecording& golden) {
     if (options.recordings.empty()) return;
-    fs::path file = options.recordings / golden.file;
+    const fs::path file = options.recordings / (golden.name + ".gwt");
     make_folder(file.parent_path());
     image::OutputSet output;
-    output.add(file.replace_extension(".gwt")).write(inspect::encode(golden.recording));
+    output.add(file).write(inspect::encode(golden.recording));
     output.commit();
 }
 
-std::optional<inspect::Finding> difference(const inspect::Manifest& expected,
-                                           const GoldenRecording& golden,
-                                           const GoldenOptions& options,
-                                           inspect::Manifest& actual) {
-    const inspect::Recording recording = reread(golden.recording);
-    actual = merge_runs(replayed_manifest(recording, options.machine.make(), nullptr));
-    auto finding = first_difference(expected, actual);
+inspect::Manifest manifest_of(const GoldenRecording& golden, const GoldenOptions& options) {
+    return merge_runs(replayed_manifest(reread(golden.recording), options.machine.make(), nullptr));
+}
+
+/// A difference, and the digest of the commands that the golden was made of.
+struct GoldenDifference {
+    std::optional<inspect::Finding> finding;
+    std::string commands;
+};
+
+GoldenDifference manifest_difference(const inspect::Manifest& actual, const GoldenRecording& golden,
+                                     const GoldenOptions& options) {
+    const inspect::Manifest expected = inspect::load_manifest(options.manifest(golden)).manifest;
+    return {first_difference(expected, actual), to_string(expected.commands_hash)};
+}
+
+/// The finding says how to see more than digests.
+GoldenDifference table_difference(const inspect::Manifest& actual, const GoldenRecording& golden,
+                                  const GoldenOptions& options, const Tally& tally) {
+    const auto row = tally.table.find(golden.name);
+    if (row == tally.table.end())
+        throw Error(options.table().string() + ": has no panel " + golden.name +
+                    "; expected one, which --update writes");
+    auto finding = first_difference(row->second, digests_of(actual));
     if (finding)
-        finding->notes.push_back(
-            expected.commands_hash == actual.commands_hash
-                ? "the commands are the same: the machine differs"
-                : "the commands differ: the code that makes the passes has changed");
-    if (!finding && options.machine.both())
-        finding =
-            compare_machines(recording, inspect::maker_of("reference"), options.machine.make());
-    return finding;
+        finding->notes.push_back(fmt::format(
+            "to see it: with this build and the one before, gw golden {} --only {} --profile {} "
+            "--recordings DIR2, then gw diff of the two DIR2/{}.gwt",
+            options.folder.string(), golden.name.substr(0, golden.name.find('/')),
+            golden.recording.profile.name, golden.name));
+    return {std::move(finding), row->second.commands};
 }
 
 void check(const GoldenRecording& golden, const GoldenOptions& options, Tally& tally) {
-    const fs::path file = options.folder / golden.file;
-    const inspect::Manifest expected = inspect::load_manifest(file).manifest;
-    inspect::Manifest actual;
-    const auto finding = difference(expected, golden, options, actual);
+    const inspect::Manifest actual = manifest_of(golden, options);
+    auto [finding, commands] = golden.has_manifest()
+                                   ? manifest_difference(actual, golden, options)
+                                   : table_difference(actual, golden, options, tally);
     tally.passes += actual.passes.size();
+    if (finding)
+        finding->notes.push_back(
+            commands == to_string(actual.commands_hash)
+                ? "the commands are the same: the machine differs"
+                : "the commands differ: the code that makes the passes has changed");
+    else if (options.machine.both())
+        finding = compare_machines(reread(golden.recording), inspect::maker_of("reference"),
+                                   options.machine.make());
     if (!finding) return;
     ++tally.different;
-    print(shown(file.string()) + ": " + text(*finding, golden.recording.height));
+    print(shown((golden.has_manifest() ? options.manifest(golden) : options.table()).string()) +
+          ": " + (golden.has_manifest() ? "" : golden.name + ", ") +
+          text(*finding, golden.recording.height));
     keep(options, golden);
 }
 
 void update(const GoldenRecording& golden, const GoldenOptions& options, Tally& tally) {
-    const fs::path file = options.folder / golden.file;
-    make_folder(file.parent_path());
-    inspect::Manifest manifest =
-        merge_runs(replayed_manifest(reread(golden.recording), options.machine.make(), nullptr));
+    const inspect::Manifest manifest = manifest_of(golden, options);
     tally.passes += manifest.passes.size();
-    image::write_file(file, to_json(manifest));
+    if (!golden.has_manifest()) {
+        tally.table[golden.name] = digests_of(manifest);
+        return;
+    }
+    make_folder(options.manifest(golden).parent_path());
+    image::write_file(options.manifest(golden), to_json(manifest));
 }
 
-/// Reports, or with --update removes, manifests that none of the figure's panels makes any more.
+void report_unknown(const std::string& where, const GoldenOptions& options, Tally& tally) {
+    if (options.update) return;
+    ++tally.different;
+    print(shown(where) + ": no panel of this figure makes it\n");
+}
+
+/// Reports, or with --update removes, goldens that none of the figure's panels makes any more.
 void check_unknown(const Figure& figure, const GoldenOptions& options, Tally& tally) {
     std::set<fs::path> unknown;
     std::error_code none;
-    for (const auto& entry : fs::directory_iterator(options.folder / figure.name, none))
-        if (!tally.files.contains(fs::path(figure.name) / entry.path().filename()))
+    for (const auto& entry : fs::directory_iterator(options.folder / figure.name, none)) {
+        const fs::path name = entry.path().filename();
+        if (name.extension() != ".json" ||
+            !tally.names.contains(figure.name + "/" + name.stem().string()) ||
+            tally.table.contains(figure.name + "/" + name.stem().string()))
             unknown.insert(entry.path());
-    for (const fs::path& file : unknown) {
-        if (options.update) {
-            fs::remove(file);
-        } else {
-            ++tally.different;
-            print(shown(file.string()) + ": no panel of this figure makes it\n");
-        }
     }
+    for (const fs::path& file : unknown) {
+        report_unknown(file.string(), options, tally);
+        if (options.update) fs::remove(file);
+    }
+    const auto is_unknown = [&](const auto& row) {
+        return row.first.starts_with(figure.name + "/") && !tally.names.contains(row.first);
+    };
+    for (const auto& row : tally.table)
+        if (is_unknown(row))
+            report_unknown(options.table().string() + ": " + row.first, options, tally);
+    if (options.update) std::erase_if(tally.table, is_unknown);
 }
 
 void run_figure(const Figure& figure, const GoldenOptions& options, Progress& progress,
@@ -197,8 +251,8 @@ void run_figure(const Figure& figure, const GoldenOptions& options, Progress& pr
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         progress.at(fmt::format("{}, {} of {}", figure.name, i + 1, figure.panels.size()));
         for (const GoldenRecording& golden : run_golden_panel(figure, i, options.profiles)) {
-            tally.files.insert(golden.file);
-            ++tally.manifests;
+            tally.names.insert(golden.name);
+            ++tally.panels;
             (options.update ? update : check)(golden, options, tally);
         }
     }
@@ -215,11 +269,12 @@ int golden(const GoldenOptions& options) {
                     "is no folder; expected goldens, which --update writes");
     if (!options.recordings.empty()) make_folder(options.recordings);
     Progress progress("goldens", options.machine.quiet);
-    Tally tally;
+    Tally tally{.table = read_golden_table(options.table())};
     for (const Figure* figure : wanted_figures(options.only))
         run_figure(*figure, options, progress, tally);
+    if (options.update) image::write_file(options.table(), text_of(tally.table));
     print(fmt::format("{}, {}: {}\n",
-                      inspect::plural(std::uint64_t(tally.manifests), "manifest", "manifests"),
+                      inspect::plural(std::uint64_t(tally.panels), "recording", "recordings"),
                       inspect::plural(std::uint64_t(tally.passes), "pass", "passes"),
                       options.update ? "written"
                       : tally.different == 0
@@ -232,9 +287,9 @@ int golden(const GoldenOptions& options) {
 
 Command add_golden(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("golden", "Compares every pass of every figure with stored manifests");
+        app.add_subcommand("golden", "Compares every pass of every figure with stored goldens");
     const auto options = std::make_shared<GoldenOptions>();
-    command->add_option("DIR", options->folder, "The folder of manifests, tests/golden")
+    command->add_option("DIR", options->folder, "The folder of goldens, tests/golden")
         ->required()
         ->type_name("DIR");
     add_only_option(*command, options->only);
@@ -250,7 +305,7 @@ Command add_golden(CLI::App& app) {
         ->type_name("NAME");
     add_machine_options(*command, options->machine);
     command->add_flag("--update", options->update,
-                      "Write the manifests anew instead of checking them");
+                      "Write the goldens anew instead of checking them");
     command
         ->add_option("--recordings", options->recordings,
                      "Also write the recordings that differ, for gw replay and pixel")
