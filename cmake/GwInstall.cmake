@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 
 # The libraries of the command and of the tests are not installed.
 foreach(folder machine peer scene image multipass raytrace itembuffer hiddensurface render
-    radiosity inspect report plot study testing)
+    radiosity inspect report testing)
     if(TARGET gw_${folder})
         install(TARGETS gw_${folder} EXPORT gw COMPONENT development
             ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

@@ -1,7 +1,7 @@
 #include "apps/figures/folder_index.h"
 
 #include "gw/error.h"
-#include "study/plot/markup.h"
+#include "image/plot/markup.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 
 #include "gw/error.h"
 #include "image/layers.h"
+#include "image/plot/plot.h"
 #include "radiosity/solver/saved.h"
-#include "study/plot/plot.h"
 
 #include <fmt/format.h>
 

@@ -4,11 +4,11 @@
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
+#include "apps/study/growth_plots.h"
+#include "apps/study/prices.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/growth_plots.h"
-#include "study/plot/markup.h"
-#include "study/prices.h"
+#include "image/plot/markup.h"
 
 #include <fmt/format.h>
 

@@ -6,13 +6,13 @@
 #include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/render/picture_options.h"
+#include "apps/study/convergence.h"
+#include "apps/study/growth.h"
+#include "apps/study/hemicube.h"
 #include "apps/study/hidden.h"
+#include "apps/study/precision.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/convergence.h"
-#include "study/growth.h"
-#include "study/hemicube.h"
-#include "study/precision.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

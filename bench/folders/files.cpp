@@ -1,7 +1,7 @@
 // Reading and writing files: scene, image, plot.
+#include "image/plot/plot.h"
 #include "image/write.h"
 #include "scene/toml/read_scene.h"
-#include "study/plot/plot.h"
 
 #include <benchmark/benchmark.h>
 

@@ -4,7 +4,7 @@
 #include "bench/growth/sweep.h"
 #include "gw/error.h"
 #include "image/output/output_file.h"
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

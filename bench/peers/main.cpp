@@ -5,7 +5,7 @@
 #include "bench/peers/ours.h"
 #include "gw/machine.h"
 #include "image/output/output_file.h"
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>

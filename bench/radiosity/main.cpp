@@ -7,9 +7,9 @@
 #include "gw/base/parallel.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
+#include "image/plot/plot.h"
 #include "radiosity/solver/solver.h"
 #include "scene/toml/read_scene.h"
-#include "study/plot/plot.h"
 
 #ifdef GW_WITH_EMBREE
 #include "bench/radiosity/embree_hemicube.h"

@@ -1,6 +1,6 @@
 #include "bench/raytracing/report.h"
 
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 #include "bench/scale/obj_file.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include <fmt/format.h>
 #include <spawn.h>

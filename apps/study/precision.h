@@ -2,9 +2,9 @@
 // Does not print.
 #pragma once
 
+#include "apps/study/difference.h"
+#include "image/plot/plot.h"
 #include "scene/scene.h"
-#include "study/difference.h"
-#include "study/plot/plot.h"
 
 #include <functional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "study/plot/markup.h"
+#include "image/plot/markup.h"
 
 #include <array>
 #include <utility>

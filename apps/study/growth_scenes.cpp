@@ -1,4 +1,4 @@
-#include "study/growth_scenes.h"
+#include "apps/study/growth_scenes.h"
 
 #include "gw/base/elementary.h"
 

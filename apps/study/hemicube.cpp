@@ -1,4 +1,4 @@
-#include "study/hemicube.h"
+#include "apps/study/hemicube.h"
 
 #include "gw/base/elementary.h"
 #include "radiosity/hemicube/form_factors.h"

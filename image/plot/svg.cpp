@@ -1,7 +1,7 @@
 // Draws a plot: frame with ticks, lines and markers, legend, title, caption.
 #include "gw/error.h"
-#include "study/plot/markup.h"
-#include "study/plot/scale.h"
+#include "image/plot/markup.h"
+#include "image/plot/scale.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "study/prices.h"
+#include "apps/study/prices.h"
 
 #include "gw/base/elementary.h"
 #include "scene/toml/toml_binder.h"

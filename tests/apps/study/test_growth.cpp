@@ -1,10 +1,10 @@
 // Claims: the growth study finds the exponents that counters must have; stops what is slow and says
 // so; prices turn counts into the sums they say; rankings flip where two cost curves cross;
 // malformed lists name line and expectation.
+#include "apps/study/growth_plots.h"
+#include "apps/study/growth_scenes.h"
+#include "apps/study/prices.h"
 #include "gw/error.h"
-#include "study/growth_plots.h"
-#include "study/growth_scenes.h"
-#include "study/prices.h"
 
 #include <gtest/gtest.h>
 #include "test_paths.h"

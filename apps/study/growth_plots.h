@@ -1,8 +1,8 @@
 // The growth study as plots, tables and fitted power laws. Does not measure.
 #pragma once
 
-#include "study/growth.h"
-#include "study/plot/plot.h"
+#include "apps/study/growth.h"
+#include "image/plot/plot.h"
 
 namespace gw::study {
 

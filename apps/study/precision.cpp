@@ -1,4 +1,4 @@
-#include "study/precision.h"
+#include "apps/study/precision.h"
 
 #include "gw/base/elementary.h"
 #include "hiddensurface/run/scan_line_renderer.h"

@@ -1,6 +1,6 @@
 // The error of superposed pictures falls as theory says: faster than that of random samples.
-#include "study/convergence.h"
-#include "tests/study/study_scenes.h"
+#include "apps/study/convergence.h"
+#include "tests/apps/study/study_scenes.h"
 
 #include <gtest/gtest.h>
 

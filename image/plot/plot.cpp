@@ -1,4 +1,4 @@
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include "gw/base/elementary.h"
 #include "gw/error.h"

@@ -1,9 +1,9 @@
-#include "study/growth.h"
+#include "apps/study/growth.h"
 
+#include "apps/study/growth_scenes.h"
 #include "hiddensurface/lines/draw_lines.h"
 #include "hiddensurface/run/compare.h"
 #include "scene/draw/fit.h"
-#include "study/growth_scenes.h"
 
 #include <fmt/format.h>
 

@@ -3,8 +3,8 @@
 // of each counter. The results are estimates, and the files say so. Does not count.
 #pragma once
 
-#include "study/growth.h"
-#include "study/plot/plot.h"
+#include "apps/study/growth.h"
+#include "image/plot/plot.h"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 // other. Hidden lines: hills over a grid, which all those algorithms accept. Does not plot.
 #pragma once
 
-#include "study/difference.h"
+#include "apps/study/difference.h"
 
 #include <functional>
 #include <map>

@@ -1,5 +1,5 @@
 // The study of hemicubes: errors fall with resolution, and oversampling misses nothing.
-#include "study/hemicube.h"
+#include "apps/study/hemicube.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "study/convergence.h"
+#include "apps/study/convergence.h"
 
 #include "multipass/frame/driver.h"
 

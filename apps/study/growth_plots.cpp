@@ -1,4 +1,4 @@
-#include "study/growth_plots.h"
+#include "apps/study/growth_plots.h"
 
 #include <fmt/format.h>
 

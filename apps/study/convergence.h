@@ -4,9 +4,9 @@
 // pixel varies, N^(-5/8) if the place on the lamp varies too.
 #pragma once
 
+#include "apps/study/difference.h"
+#include "image/plot/plot.h"
 #include "scene/scene.h"
-#include "study/difference.h"
-#include "study/plot/plot.h"
 
 #include <functional>
 #include <string>

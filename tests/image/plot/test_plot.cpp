@@ -1,7 +1,7 @@
 // Plots as text: what is drawn where, what is refused.
 #include "gw/error.h"
-#include "study/plot/plot.h"
-#include "study/plot/scale.h"
+#include "image/plot/plot.h"
+#include "image/plot/scale.h"
 
 #include <gtest/gtest.h>
 

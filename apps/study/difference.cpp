@@ -1,4 +1,4 @@
-#include "study/difference.h"
+#include "apps/study/difference.h"
 
 #include <algorithm>
 #include <cmath>

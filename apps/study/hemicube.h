@@ -2,7 +2,7 @@
 // F2.2o]: from a point to each texel of a wall, whose form factors have a closed form.
 #pragma once
 
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 #include <functional>
 #include <string>

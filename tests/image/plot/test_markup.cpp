@@ -1,5 +1,5 @@
 // Claim: whatever a text says, it is read as text.
-#include "study/plot/markup.h"
+#include "image/plot/markup.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What docs/precision.md says of adding passes and of the distance between renderers.
-#include "study/precision.h"
-#include "tests/study/study_scenes.h"
+#include "apps/study/precision.h"
+#include "tests/apps/study/study_scenes.h"
 
 #include <gtest/gtest.h>
 

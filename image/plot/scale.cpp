@@ -1,5 +1,5 @@
 // Ticks: 1, 2, 5 times a power of ten; on logarithmic axes powers of the base.
-#include "study/plot/scale.h"
+#include "image/plot/scale.h"
 
 #include "gw/base/elementary.h"
 #include "gw/error.h"

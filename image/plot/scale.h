@@ -1,7 +1,7 @@
 // An axis as numbers: its interval, its ticks, and the place of a value.
 #pragma once
 
-#include "study/plot/plot.h"
+#include "image/plot/plot.h"
 
 namespace gw::plot {
 
