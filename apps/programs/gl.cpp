@@ -51,18 +51,6 @@ void add_machine(CLI::App& command, GlOptions& options) {
         ->type_name("NAME");
 }
 
-/// An option for the name of a file.
-CLI::Option* add_file(CLI::App& command, const std::string& name, fs::path& file,
-                      const std::string& help) {
-    return command.add_option_function<std::string>(
-        name,
-        [&file, name](const std::string& word) {
-            if (word.empty()) throw UsageError(name + " is empty; expected the name of a file");
-            file = word;
-        },
-        help);
-}
-
 void add_options(CLI::App& command, GlOptions& options) {
     command
         .add_option("PROGRAM", options.program,
@@ -70,7 +58,7 @@ void add_options(CLI::App& command, GlOptions& options) {
         ->required()
         ->type_name("WORD...");
     add_machine(command, options);
-    add_file(command, "--record", options.recording, "Everything that is drawn, as a recording")
+    command.add_option("--record", options.recording, "Everything that is drawn, as a recording")
         ->type_name("FILE.gwt");
     command
         .add_option_function<std::string>(
@@ -82,8 +70,8 @@ void add_options(CLI::App& command, GlOptions& options) {
             "Record, count and show only these frames of each window, from 0; the program is ended "
             "when a window has shown frame B")
         ->type_name("A-B");
-    add_file(command, "--screenshot", options.picture,
-             "The last frame that was shown, as a picture")
+    command
+        .add_option("--screenshot", options.picture, "The last frame that was shown, as a picture")
         ->type_name("IMAGE");
     command.add_flag("--stats", options.statistics,
                      "On stderr: frames a second; draws, fragments and barriers of a frame");
@@ -165,8 +153,6 @@ std::string missing(const GlOptions& options, const image::OutputFile* recording
 }
 
 int run_gl(const GlOptions& options, Session& session) {
-    if (options.program.front().empty())
-        throw UsageError("PROGRAM is empty; expected the name of a program");
     if (!options.picture.empty()) check_picture_target(options.picture);
     Variables variables = variables_of(options, session);
     const ScratchFolder folder;

@@ -115,8 +115,6 @@ void print_summary(const InspectOptions& options, const report::ReportSummary& s
 }
 
 int inspect_recording(InspectOptions& options, Session& session) {
-    if (options.folder.empty())
-        throw UsageError("--output is empty; expected the name of a folder");
     check(options.report);
     image::OutputFolder folder(options.folder, report::report_files());
     options.report.prices =

@@ -82,8 +82,6 @@ void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& 
 }
 
 int make_maps(const MapsOptions& options, Session& session) {
-    if (options.folder.empty())
-        throw UsageError("--output is empty; expected the name of a folder");
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording, session);
     const auto pass = pass_named(recording, options.pass);

@@ -64,7 +64,6 @@ int stream_to(const std::filesystem::path& file, const Drawing& drawing, const S
 }
 
 int record_scene(const RecordOptions& options, Session& session) {
-    if (options.output.empty()) throw UsageError("--output is empty; expected the name of a file");
     image::check_target(options.output);
     if (options.manifest == options.output)
         throw UsageError("--manifest and --output are the same file; expected two");

@@ -43,11 +43,6 @@ void add_choice(CLI::App& command, const std::string& name, const Table& table, 
         ->type_name("NAME");
 }
 
-void check_picture(const std::string& option, const std::filesystem::path& file) {
-    if (file.empty()) throw UsageError(option + " is empty; expected the name of a picture");
-    check_picture_target(file);
-}
-
 std::string counts_table(const raytrace::CastPicture& picture, std::size_t shapes) {
     const raytrace::CastCounts& c = picture.counts;
     const auto row = [&](const char* name, std::uint64_t n) {
@@ -63,8 +58,8 @@ std::string counts_table(const raytrace::CastPicture& picture, std::size_t shape
 }
 
 int cast(const CastOptions& options, Session& session) {
-    check_picture("--output", options.output);
-    if (!options.tests.empty()) check_picture("--tests", options.tests);
+    check_picture_target(options.output);
+    if (!options.tests.empty()) check_picture_target(options.tests);
     if (options.output == options.tests)
         throw UsageError("--output and --tests are the same file; expected two");
     const Progress progress("casting", options.picture.quiet);

@@ -77,8 +77,6 @@ std::string counts_csv(const itembuffer::Differences& d) {
 }
 
 int compare(const CompareOptions& options, Session& session) {
-    if (options.folder.empty())
-        throw UsageError("--output is empty; expected the name of a folder");
     const Progress progress("drawing both ways", options.picture.quiet);
     const Profile profile = load_profile(options.picture, session);
     const scene::Scene scene = load_scene(options.picture, session);

@@ -54,7 +54,6 @@ void remove_pass_options(CLI::App& command) {
 }
 
 render::SceneInput read_input(const PictureOptions& options, Session& session) {
-    if (options.scene.empty()) throw UsageError("SCENE is empty; expected the name of a file");
     scene::SceneFile file = scene::read_scene(options.scene);
     std::optional<multipass::PassList> passes;
     if (!file.passes.empty()) passes = multipass::read_passes(file.passes);

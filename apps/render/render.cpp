@@ -139,8 +139,6 @@ void check(const RenderOptions& options) {
         throw UsageError("--frames without --turntable; expected both, or neither for one picture");
     if (options.turntable > 0) frames_of(options);
     const FrameFiles& files = options.files;
-    if (files.picture.empty())
-        throw UsageError("--output is empty; expected the name of a picture");
     check_picture_target(files.picture);
     const bool more_files = !files.components.empty() || !files.planes.empty() ||
                             !files.manifest.empty() || !files.counters.empty();

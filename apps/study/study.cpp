@@ -47,7 +47,6 @@ study::MachineMaker maker(const StudyOptions& options, Size window, const Sessio
 
 /// Creates the folder before long work, so that a bad name is found early.
 void check(const StudyOptions& options) {
-    if (options.output.empty()) throw UsageError("-o is empty; expected the name of a folder");
     image::OutputSet output;
     output.make_folder(options.output);
     image::check_target(options.output / "plot.svg");
