@@ -3,6 +3,7 @@
 #include "scene/shapes/lathe.h"
 #include "scene/shapes/shapes.h"
 #include "scene/text/suggest.h"
+#include "scene/toml/height_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,7 +100,7 @@ std::vector<Shape> all_shapes() {
 const Shape& to_shape(const TomlValue& value) {
     const auto found = std::ranges::find(shapes(), to_string(value), &Shape::name);
     if (found != shapes().end()) return *found;
-    std::vector<std::string> known;
+    std::vector<std::string> known{height_field().name};
     for (const Shape& shape : shapes()) known.push_back(shape.name);
     value.fail(unknown("shape", value.text, known));
 }
@@ -127,6 +128,12 @@ const std::vector<Shape>& shapes() {
 void add_shape_keys(const TomlValue& table, std::vector<Key>& keys, TomlShape& shape) {
     const TomlValue* value = table.find("shape");
     if (!value) return;
+    if (value->kind == TomlKind::String && value->text == height_field().name) {
+        shape = {&height_field(), read_height_field(table)};
+        for (const char* key : {"x", "z", "heights"})
+            keys.push_back({key, [](const TomlValue&) {}});
+        return;
+    }
     const Shape& wanted = to_shape(*value);
     shape.shape = &wanted;
     for (const ShapeParameter& parameter : wanted.parameters)

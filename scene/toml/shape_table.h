@@ -31,7 +31,7 @@ struct Shape {
     bool is_flat = false;  ///< of quads, which scene/geometry/divide.h divides
 };
 
-/// All of them, by name in alphabetical order.
+/// All that numbers describe, by name in alphabetical order; height_field.h has another.
 const std::vector<Shape>& shapes();
 
 /// A shape that an [[object]] asks for, and the values of its parameters.

@@ -49,6 +49,40 @@ TEST_F(TomlShapes, TakeTheirParameters) {
               scene("shape = 'cone'\ncapped = 0").objects[0].mesh->data().positions);
 }
 
+TEST_F(TomlShapes, HeightFieldIsTheMeshOfItsObjFile) {
+    folder.write("field.obj",
+                 "v -1 0.25 0\nv 0 0.5 0\nv 2 0 0\nv -1 1 0.3\nv 0 -0.1 0.3\nv 2 0.7 0.3\n"
+                 "f 1 4 5 2\nf 2 5 6 3\n");
+    const std::string field =
+        "shape = 'height_field'\nx = [-1, 0, 2]\nz = [0, 0.3]\n"
+        "heights = [[0.25, 0.5, 0], [1, -0.1, 0.7]]";
+    const MeshData expected = scene("file = 'field.obj'").objects[0].mesh->data();
+    const MeshData actual = scene(field).objects[0].mesh->data();
+    EXPECT_TRUE(actual == expected);
+    EXPECT_EQ(scene(field + "\ndivide = 2").objects[0].mesh->data().positions,
+              scene("file = 'field.obj'\ndivide = 2").objects[0].mesh->data().positions);
+}
+
+TEST_F(TomlShapes, HeightFieldRefusesWhatIsNoGrid) {
+    const auto of = [&](const std::string& keys) {
+        return fault("shape = 'height_field'\n" + keys);
+    };
+    EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]"),
+              "s.toml:1: height_field has no heights; expected x, z and heights");
+    EXPECT_EQ(of("x = [0]\nz = [0, 1]\nheights = [[0], [0]]"),
+              "s.toml:3: object.x has 1 numbers; expected 2 to 4096");
+    EXPECT_EQ(of("x = [0, 0]\nz = [0, 1]\nheights = [[0, 0], [0, 0]]"),
+              "s.toml:3: object.x does not increase; expected each number above the last");
+    EXPECT_EQ(of("x = [0, 1]\nz = [0, 'a']\nheights = [[0, 0], [0, 0]]"),
+              "s.toml:4: object.z[1] is 'a'; expected a number");
+    EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0]]"),
+              "s.toml:5: object.heights has 1 rows; expected one for each of 2 z");
+    EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0], [0]]"),
+              "s.toml:5: object.heights[1] has 1 elements; expected an array of 2 numbers");
+    EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0], [0, 0]]\nradius = 1"),
+              "s.toml:6: unknown key 'radius' in object; expected one of them");
+}
+
 TEST_F(TomlShapes, RefuseWhatIsNotTheirs) {
     EXPECT_EQ(fault("shape = 'tours'"),
               "s.toml:2: unknown shape 'tours'; the nearest known is 'torus'");
