@@ -1,7 +1,7 @@
 // The command gw.
 #include "apps/command/command.h"
+#include "apps/command/early_end.h"
 #include "apps/command/terminal.h"
-#include "apps/command/termination.h"
 #include "image/output/temporaries.h"
 
 int main(int count, char** arguments) {

@@ -1,7 +1,7 @@
 // gw radiosity: solves, saves, shows and changes pixmaps [F].
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
-#include "apps/command/interruption.h"
+#include "apps/command/early_end.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/folder_index.h"
 #include "apps/radiosity/files.h"

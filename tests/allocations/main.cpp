@@ -1,7 +1,7 @@
 // gw-failing-allocation K ARGUMENT...: runs gw with these arguments; the K-th operator new after
 // the start of main fails. With K = 0 none fails, and their number is written to standard error.
 #include "apps/command/command.h"
-#include "apps/command/termination.h"
+#include "apps/command/early_end.h"
 
 #include <atomic>
 #include <cstdio>
