@@ -17,16 +17,16 @@ namespace hs = hiddensurface;
 
 namespace {
 
-/// One place of an axis: two frames, the same but for the axis of frames.
-struct Place {
+/// One step of an axis: two frames, the same but for the axis of frames.
+struct GrowthStep {
     double parameter = 0;
     int width = 160, height = 120;
     std::function<scene::Scene(double degrees)> scene;
     double degrees = 0;  ///< between the frames
 };
 
-std::vector<Place> places(const std::string& axis, bool lines) {
-    std::vector<Place> all;
+std::vector<GrowthStep> places(const std::string& axis, bool lines) {
+    std::vector<GrowthStep> all;
     const auto add = [&](double parameter, int count, double depth, int width, double degrees) {
         all.push_back({parameter, width, width * 3 / 4,
                        [=](double turned) {
@@ -47,7 +47,7 @@ std::vector<Place> places(const std::string& axis, bool lines) {
 }
 
 struct Setup {
-    Setup(const Place& place, double degrees, const GrowthOptions& options)
+    Setup(const GrowthStep& place, double degrees, const GrowthOptions& options)
         : scene(place.scene(degrees)),
           view((scene::add_defaults(scene, place.width, place.height),
                 scene::make_view(scene, place.width, place.height))),
@@ -138,7 +138,7 @@ public:
         });
         if (algorithms.empty()) return;
         std::map<std::string, std::vector<double>> times;
-        for (const Place& place : places(axis, lines)) {
+        for (const GrowthStep& place : places(axis, lines)) {
             const bool all_cut =
                 std::all_of(algorithms.begin(), algorithms.end(), [&](const auto& algorithm) {
                     return next(times[algorithm.name]) > options_.limit;

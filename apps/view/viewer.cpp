@@ -84,7 +84,7 @@ std::size_t Viewer::less_while_moving() const {
     return steps - 1;
 }
 
-Viewer::Wanted Viewer::wanted() const {
+Viewer::FrameRequest Viewer::requested() const {
     std::string key = key_of(settings_) + camera_key(settings_.camera);
     std::size_t less = 0;
     switch (show_) {
@@ -101,17 +101,17 @@ Viewer::Wanted Viewer::wanted() const {
     return {key, less};
 }
 
-void Viewer::begin(const Wanted& asked) {
-    job_wanted_ = asked;
+void Viewer::begin(const FrameRequest& request) {
+    job_request_ = request;
     // The work has a copy of all that inputs may change meanwhile.
     const Light light = light_worker_ ? light_worker_->light() : Light{};
     const scene::View seen = view();
-    const auto draw = [this, asked, light, seen, show = show_, settings = settings_,
+    const auto draw = [this, request, light, seen, show = show_, settings = settings_,
                        algorithm = algorithm_, exposure = exposure_] {
         switch (show) {
             case Show::Passes: return drawer_.draw_by_pass(settings);
             case Show::Hidden: return drawer_.draw_hidden(settings, algorithm);
-            case Show::Picture: return drawer_.draw(less_work(settings)[asked.less].settings);
+            case Show::Picture: return drawer_.draw(less_work(settings)[request.less].settings);
             case Show::Light: break;
         }
         Frame frame{.settings = settings};
@@ -132,11 +132,11 @@ void Viewer::take(Frame frame) {
     }
     const auto steps = less_work(settings_);
     costs_.resize(steps.size());
-    if (show_ == Show::Picture && job_wanted_.less < costs_.size() && frame.by_pass == nullptr)
-        costs_[job_wanted_.less] = frame.seconds;
-    left_out_ = job_wanted_.less < steps.size() ? steps[job_wanted_.less].left_out : "";
+    if (show_ == Show::Picture && job_request_.less < costs_.size() && frame.by_pass == nullptr)
+        costs_[job_request_.less] = frame.seconds;
+    left_out_ = job_request_.less < steps.size() ? steps[job_request_.less].left_out : "";
     frame_ = std::move(frame);
-    frame_key_ = job_wanted_.key;
+    frame_key_ = job_request_.key;
     pass_ = std::min(pass_, frame_.passes.empty() ? 0 : frame_.passes.size() - 1);
     is_screen_old_ = true;
 }
@@ -153,7 +153,7 @@ void Viewer::take_history() {
 bool Viewer::advance() {
     if (is_ready(job_)) take(job_.get());
     if (is_ready(history_job_)) take_history();
-    const Wanted next = wanted();
+    const FrameRequest next = requested();
     const bool is_new = next.key != frame_key_;
     if (is_picture_wanted_ && !is_new && !job_.valid()) put_picture_now();
     if (is_new && !job_.valid()) begin(next);
@@ -162,7 +162,7 @@ bool Viewer::advance() {
 
 bool Viewer::is_busy() const {
     return job_.valid() || history_job_.valid() || is_picture_wanted_ ||
-           wanted().key != frame_key_ || (show_ == Show::Light && light_worker_->is_busy());
+           requested().key != frame_key_ || (show_ == Show::Light && light_worker_->is_busy());
 }
 
 void Viewer::settle() {
