@@ -76,7 +76,7 @@ HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, i
 }
 
 /// Data kept from one sample to the next.
-struct TracingCache {
+struct Kept {
     scene::Scene scene;  ///< with the materials as the file has them
     Options options;
     std::shared_ptr<const raytrace::World> world;
@@ -109,7 +109,7 @@ multipass::PassList passes_with_tracing(const scene::Scene& scene,
 }
 
 multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
-    const auto kept = std::make_shared<TracingCache>();
+    const auto kept = std::make_shared<Kept>();
     kept->scene = scene;
     kept->options = options;
     kept->world = options.world;

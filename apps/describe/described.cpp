@@ -45,7 +45,8 @@ std::vector<DescribedCommand> described_commands(const CLI::App& root) {
     for (const CLI::App* app : root.get_subcommands([](const CLI::App*) { return true; })) {
         DescribedCommand command{app->get_name(), app->get_description(), app->get_footer(), {}};
         for (const CLI::Option* option : app->get_options())
-            command.options.push_back(described(*option));
+            if (!option->get_group().empty())  // else only an error has it
+                command.options.push_back(described(*option));
         commands.push_back(std::move(command));
     }
     return commands;

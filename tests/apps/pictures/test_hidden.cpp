@@ -320,6 +320,7 @@ TEST_F(Hidden, NamesTheCommandsOfOtherTasks) {
         expect_refused(2, words, {"no such option; expected " + command + "\n"});
     }
     EXPECT_EQ(gw({"hidden", "--help"}).out.find("--quiz"), std::string::npos);
+    EXPECT_EQ(gw({"describe", "bash"}).out.find("--grade"), std::string::npos);
     expect_refused(2, {"new-algorithm", "mine"}, {"unknown command"});
 }
 
