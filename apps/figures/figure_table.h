@@ -3,8 +3,8 @@
 #pragma once
 
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/option_values.h"
-#include "apps/figures/folder_index.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,8 +1,8 @@
 // gw figures: draws the papers' figures into a folder, with a page that shows them.
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/figure_table.h"
-#include "apps/figures/folder_index.h"
 #include "gw/error.h"
 #include "gw/shown.h"
 #include "image/output/output_set.h"

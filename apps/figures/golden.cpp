@@ -2,9 +2,9 @@
 // the table of digests beside them.
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
 #include "apps/figures/figure_table.h"
-#include "apps/figures/folder_index.h"
 #include "apps/figures/golden_table.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"

@@ -1,8 +1,8 @@
 // gw hidden: runs one or all of the lecture's hidden-surface algorithms, with counts, steps and
 // comparisons.
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "gw/error.h"

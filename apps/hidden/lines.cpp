@@ -1,7 +1,7 @@
 // gw hidden with a hidden-line algorithm: the drawing, its counts and steps.
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"

@@ -2,7 +2,7 @@
 // the form of the answer.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "hiddensurface/interface/steps.h"
 #include "image/output/output_set.h"
 

@@ -2,9 +2,9 @@
 // counts them and grades them by the Z-buffer.
 #include "hiddensurface/run/play.h"
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"

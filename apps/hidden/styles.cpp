@@ -3,7 +3,7 @@
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
 #include "apps/hidden/pictures.h"
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "gw/error.h"
 #include "image/output/output_file.h"
 #include "image/write.h"

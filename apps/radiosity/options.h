@@ -1,7 +1,7 @@
 // The options of gw radiosity. Does not solve.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "radiosity/model/changes.h"
 #include "radiosity/solver/solver.h"
 

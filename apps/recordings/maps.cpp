@@ -1,8 +1,8 @@
 // gw maps: shows the fate of the fragments at every pixel of a recording, as pictures.
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/option_values.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
 #include "image/plane_pictures.h"

@@ -1,7 +1,7 @@
 // Recordings of drawings, and their files. Does not parse options.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "image/output/output_set.h"
 #include "inspect/compare/verify.h"
 #include "inspect/manifest/manifest_file.h"

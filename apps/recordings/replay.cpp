@@ -1,8 +1,8 @@
 // gw replay: executes a recording without its scene.
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/option_values.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/on_opengl.h"
 #include "apps/recordings/recording_files.h"

@@ -1,10 +1,10 @@
 // gw compare: the differences between item buffer and ordinary ray tracing, and their reasons. [K4,
 // K4f]
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
 #include "inspect/text/plural.h"

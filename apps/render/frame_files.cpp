@@ -1,10 +1,10 @@
 #include "apps/render/frame_files.h"
 
 #include "apps/command/command_recorder.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
+#include "apps/picture/scene_warnings.h"
 #include "apps/recordings/recording_files.h"
-#include "apps/render/scene_warnings.h"
 #include "image/planes.h"
 #include "image/write.h"
 #include "inspect/manifest/json_of.h"

@@ -2,7 +2,7 @@
 // appear. Does not parse options.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "image/picture.h"
 
 #include <filesystem>

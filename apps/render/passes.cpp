@@ -2,7 +2,7 @@
 #include "apps/command/command.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "gw/names.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/report/prices.h"

@@ -1,9 +1,9 @@
 #include "apps/study/hidden.h"
 
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/study/growth_plots.h"
 #include "apps/study/prices.h"
 #include "gw/error.h"

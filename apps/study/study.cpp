@@ -1,11 +1,11 @@
 // gw study: measures pictures and algorithms; writes plots with their numbers.
 #include "apps/command/command.h"
 #include "apps/command/command_recorder.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
+#include "apps/picture/picture_options.h"
 #include "apps/recordings/machine_options.h"
-#include "apps/render/picture_options.h"
 #include "apps/study/convergence.h"
 #include "apps/study/growth.h"
 #include "apps/study/hemicube.h"

@@ -2,7 +2,7 @@
 // estimated time. Knows no window and no keys.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "apps/view/settings.h"
 #include "gw/names.h"
 #include "image/picture.h"

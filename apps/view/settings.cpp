@@ -1,6 +1,6 @@
 #include "apps/view/settings.h"
 
-#include "apps/render/saved_options.h"
+#include "apps/picture/saved_options.h"
 #include "render/options.h"
 
 namespace gw::apps {

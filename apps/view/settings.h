@@ -2,7 +2,7 @@
 // Does not draw.
 #pragma once
 
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "scene/scene.h"
 #include "scene/toml/toml_view.h"
 

@@ -1,6 +1,6 @@
 // gw view: a window on the machine [K, F4].
 #include "apps/command/command.h"
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "apps/view/viewer.h"
 #include "apps/view/window.h"
 #include "gw/error.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/command/command.h"
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 #include "image/output/output_set.h"
 
 #include <filesystem>

@@ -2,8 +2,8 @@
 // it; or one for each student.
 #include "hiddensurface/quiz/quiz.h"
 #include "apps/command/command.h"
+#include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/figures/folder_index.h"
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/page.h"

@@ -1,6 +1,6 @@
 // Claim: a folder that commands write into has an index of its pictures, with the command that made
 // each.
-#include "apps/figures/folder_index.h"
+#include "apps/command/folder_index.h"
 #include "tests/apps/scene_files.h"
 #include "tests/apps/support/examples.h"
 

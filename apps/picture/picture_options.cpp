@@ -1,8 +1,8 @@
-#include "apps/render/picture_options.h"
+#include "apps/picture/picture_options.h"
 
 #include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
-#include "apps/render/scene_warnings.h"
+#include "apps/picture/scene_warnings.h"
 #include "gw/error.h"
 #include "image/textures.h"
 #include "multipass/passes/pass_toml.h"

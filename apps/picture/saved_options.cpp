@@ -1,4 +1,4 @@
-#include "apps/render/saved_options.h"
+#include "apps/picture/saved_options.h"
 
 #include "apps/command/command.h"
 #include "gw/error.h"

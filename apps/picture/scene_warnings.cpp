@@ -1,4 +1,4 @@
-#include "apps/render/scene_warnings.h"
+#include "apps/picture/scene_warnings.h"
 
 #include "apps/command/terminal.h"
 

@@ -1,4 +1,4 @@
-#include "apps/figures/folder_index.h"
+#include "apps/command/folder_index.h"
 
 #include "gw/error.h"
 #include "image/plot/markup.h"

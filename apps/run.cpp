@@ -1,7 +1,7 @@
 // From arguments to an exit code. The only place that catches.
 #include "apps/command/command.h"
 #include "apps/command/terminal.h"
-#include "apps/render/saved_options.h"
+#include "apps/picture/saved_options.h"
 #include "gw/error.h"
 #include "render/words/option_values.h"
 #include "scene/text/suggest.h"
@@ -115,7 +115,7 @@ int parse_and_run(CLI::App& app, const std::vector<Command>& commands, Session& 
     throw UsageError("no command; expected one of those that gw --help lists");
 }
 
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
     if (!word.empty() && word.find_first_of(" \t\n'\"\\$&;()<>|*?[]{}#~`!") == word.npos)
         return word;
     std::string text = "'";
@@ -129,7 +129,7 @@ std::string version() { return GW_VERSION; }
 
 std::string shell_command(const std::vector<std::string>& words) {
     std::string text = "build/release/bin/gw";
-    for (const std::string& word : words) text += " " + quoted(word);
+    for (const std::string& word : words) text += " " + shell_word(word);
     return text;
 }
 
