@@ -74,13 +74,13 @@ TEST_F(TomlShapes, HeightFieldRefusesWhatIsNoGrid) {
     EXPECT_EQ(of("x = [0, 0]\nz = [0, 1]\nheights = [[0, 0], [0, 0]]"),
               "s.toml:3: object.x does not increase; expected each number above the last");
     EXPECT_EQ(of("x = [0, 1]\nz = [0, 'a']\nheights = [[0, 0], [0, 0]]"),
-              "s.toml:4: object.z[1] is 'a'; expected a number");
+              "s.toml:4: object.z is 'a'; expected a number");
     EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0]]"),
               "s.toml:5: object.heights has 1 rows; expected one for each of 2 z");
     EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0], [0]]"),
-              "s.toml:5: object.heights[1] has 1 elements; expected an array of 2 numbers");
+              "s.toml:5: object.heights has 1 elements; expected an array of 2 numbers");
     EXPECT_EQ(of("x = [0, 1]\nz = [0, 1]\nheights = [[0, 0], [0, 0]]\nradius = 1"),
-              "s.toml:6: unknown key 'radius' in object; expected one of them");
+              "s.toml:6: unknown key 'radius' in object; the nearest known is 'parts'");
 }
 
 TEST_F(TomlShapes, RefuseWhatIsNotTheirs) {
