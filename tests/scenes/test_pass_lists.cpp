@@ -42,7 +42,7 @@ PassList read_again(const PassList& list) {
 
 std::vector<Digest> draw(const scene::Scene& s, const Profile& profile, const PassList& list) {
     const auto machine = make_fast(profile, width, height, {});
-    render(*machine, s, scene::make_view(s, width, height), {.passes = list});
+    render(*machine, s, scene::make_view(s, width, height), {.pass_list = list});
     std::vector<Digest> digests;
     for (const Plane plane : every_plane) digests.push_back(digest(machine->planes(), plane));
     return digests;
