@@ -26,7 +26,6 @@ TEST_F(BadInput, ObjWithFileAndLine) {
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "bad.obj:4: "},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "bad.obj:4: "},
         {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n", "bad.obj:4: "},
-        {"mtllib missing.mtl\n", "bad.obj:1: "},
     };
     for (const auto& [text, where] : cases) {
         write("bad.obj", text);
@@ -47,6 +46,9 @@ TEST_F(BadInput, MtlWithFileAndLine) {
     expect_refused(1, {"render", "bad.obj", "-o", "a.png"}, {"bad.mtl:2: ", "expected"});
     write("bad.mtl", "newmtl rde\n");
     expect_refused(1, {"render", "bad.obj", "-o", "a.png"}, {"bad.obj:2: ", "'red'", "'rde'"});
+    write("bad.obj", "mtllib missing.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
+    expect_refused(1, {"render", "bad.obj", "-o", "a.png"},
+                   {"bad.obj:2: ", "'red'", "line 1: mtllib 'missing.mtl' does not exist"});
 }
 
 TEST_F(BadInput, TextureNamesTheLineThatAsks) {
