@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -79,6 +80,7 @@ struct Background::Living {
     std::mutex mutex;
     std::set<Worker*> all;
     std::atomic<bool> is_ending = false;  ///< changed under the mutex
+    std::atomic<int> uses = 0;            ///< of all threads
 
     bool is_child() const { return process != getpid(); }
     void finish_all() {
@@ -87,7 +89,21 @@ struct Background::Living {
         is_ending = true;
         for (Worker* worker : all) worker->finish();
     }
+    void await_uses() const;
 };
+
+namespace {
+/// This thread's uses: an error handler of Xlib may end the program within one.
+thread_local int own_uses = 0;
+}  // namespace
+
+void Background::Living::await_uses() const {
+    using namespace std::chrono_literals;
+    if (is_child()) return;
+    const auto end = std::chrono::steady_clock::now() + 2s;
+    while (uses > own_uses && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(1ms);
+}
 
 Background::Living& Background::living() {
     static Living& living = *new Living;
@@ -98,13 +114,23 @@ Background::Living& Background::living() {
 const struct Background::AtExit {
     ~AtExit() {
         Background::living().finish_all();
+        Background::living().await_uses();
         end_parallel_loops();
     }
 } at_exit;
 
-bool Background::is_program_ending() { return living().is_ending; }
+Background::Use::Use() {
+    ++own_uses;
+    ++living().uses;
+    allowed_ = !living().is_ending;
+}
 
-bool Background::is_available() { return !is_program_ending() && !living().is_child(); }
+Background::Use::~Use() {
+    --living().uses;
+    --own_uses;
+}
+
+bool Background::is_available() { return !living().is_ending && !living().is_child(); }
 
 Background::Background() {
     {

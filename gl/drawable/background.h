@@ -23,8 +23,20 @@ public:
 
     /// False once the program is ending, and in a child process.
     static bool is_available();
-    /// After the program's exit handlers. Other threads may go on meanwhile.
-    static bool is_program_ending();
+
+    /// A use of Xlib, which ends with the program: false if the program is ending. Other threads may
+    /// go on after the exit handlers; the process ends 2 seconds later at most while they use it.
+    class Use {
+    public:
+        Use();
+        ~Use();
+        Use(const Use&) = delete;
+        Use& operator=(const Use&) = delete;
+        explicit operator bool() const { return allowed_; }
+
+    private:
+        bool allowed_ = false;
+    };
 
 private:
     struct AtExit;

@@ -69,7 +69,8 @@ std::optional<Surface::FrameTarget> Surface::frame_target() {
 //
 // The server answers: what the program asked of the window before is done when the frame comes.
 void Surface::swap_buffers() {
-    if (!is_double_buffered() || Background::is_program_ending()) return;
+    const Background::Use use;
+    if (!is_double_buffered() || !use) return;
     const std::optional<Geometry> window = window_size();
     if (window) {
         const LockedDisplay locked(display_);
@@ -104,7 +105,8 @@ void Surface::take(const Geometry& window) {
 }
 
 void Surface::show() {
-    if (!image_ || image_->has_lost_display() || Background::is_program_ending()) return;
+    const Background::Use use;
+    if (!image_ || image_->has_lost_display() || !use) return;
     flush(Cause::Shown);
     const LockedDisplay locked(display_);
     const auto lock = exclusive();
