@@ -67,7 +67,7 @@ std::unique_ptr<Machine> make_machine(const Request& request, const Profile& pro
 scene::Scene scene_for(const Request& request, SceneInput input) {
     scene::CameraOverrides camera = request.camera;
     if (camera.eye && camera.eye == camera.at)
-        throw OptionError("eye and at are the same point; expected two");
+        throw OptionError("at is the eye; expected another point");
     if (camera.eye) *camera.eye -= input.origin;
     if (camera.at) *camera.at -= input.origin;
     scene::Scene scene = std::move(input.scene);

@@ -139,7 +139,7 @@ TEST_F(BadOption, Numbers) {
                        {"--eye", "expected X,Y,Z"});
     }
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", "1,2,3", "--at", "1,2,3"},
-                   {"--eye", "--at"});
+                   {"--at is the eye; expected another point"});
 }
 
 TEST_F(BadOption, Names) {
