@@ -1,5 +1,7 @@
 #include "apps/view/viewed_scene.h"
 
+#include "apps/picture/scene_warnings.h"
+
 namespace gw::apps {
 
 ViewedScene load_viewed_scene(const PictureOptions& options, const std::filesystem::path& folder,
@@ -11,6 +13,7 @@ ViewedScene load_viewed_scene(const PictureOptions& options, const std::filesyst
     ViewedScene viewed{
         .file = picture.scene, .passes = input.passes, .origin = input.origin, .folder = folder};
     viewed.scene = ready_scene(picture, std::move(input));
+    if (!picture.quiet) print_warnings_of(viewed.scene, picture.size, scene::DrawnBy::Passes);
     viewed.has_default_light = has_no_light && viewed.scene.lights.size() == 1;
     for (const Profile& profile : profiles()) viewed.profiles[profile.name] = profile;
     viewed.profiles[picture.profile] = load_profile(picture, session);
