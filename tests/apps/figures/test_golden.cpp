@@ -79,10 +79,10 @@ TEST_F(Golden, ADifferenceInTheTableNamesProfilePassAndColumnAndHowToSeeIt) {
         {0, "state"},       {1, "counters"},    {2, "plane stencil"},
         {3, "plane depth"}, {4, "plane color"}, {6, "plane accum"}};
     for (const auto& [column, name] : columns) {
-        write("g/digests.txt", with_word(all, " hardware\n", column, other));
+        write("g/digests.txt", with_word(all, " depth\n", column, other));
         const Outcome outcome = gw({"golden", "g", "--only", "edges", "--recordings", "r"});
         EXPECT_EQ(outcome.code, 3);
-        EXPECT_EQ(outcome.out.find("g/digests.txt: edges/1_ideal, pass 0 'hardware', " + name +
+        EXPECT_EQ(outcome.out.find("g/digests.txt: edges/1_ideal, pass 0 'depth', " + name +
                                    ": expected " + other + ", got "),
                   0u)
             << outcome.out;
