@@ -1,4 +1,5 @@
-// A thread that works for another one, a piece at a time. Does not know the work.
+// A thread that works for another one, a piece at a time, and what both do when the program ends. Does
+// not know the work.
 #pragma once
 
 #include <functional>
