@@ -28,6 +28,7 @@ Case pixels_case(Random& random);
 Case polygon_mode_case(Random& random);
 Case profile_case(Random& random);
 Case raster_case(Random& random);
+Case separate_blend_case(Random& random);
 Case shadow_case(Random& random);
 Case stencil_case(Random& random);
 Case stipple_case(Random& random);

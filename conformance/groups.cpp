@@ -108,6 +108,8 @@ const std::vector<Group>& all_groups() {
          multipass_case, 6, color | depth | stencil | accum, {&C::stencil_killed, &C::depth_killed, &C::texels}},
         {"tiny-draws", "hundreds of draws of a few triangles, changes of state between them", "",
          tiny_draws_case, 0, color | depth | stencil, {&C::draws, &C::depth_killed, &C::written}},
+        {"separate-blend", "factors and equations of alpha, every factor on both sides", "R12.17 R12.18",
+         separate_blend_case, 16, color, {&C::alpha_killed, &C::written}},
     };
     return all;
 }

@@ -53,7 +53,9 @@ Profile opengl() {
                     .blend_color = true,
                     .blend_minmax = true,
                     .blend_subtract = true,
-                    .draw_pixels = true};
+                    .draw_pixels = true,
+                    .blend_separate = true,
+                    .blend_square = true};
     return p;
 }
 
@@ -72,6 +74,8 @@ std::span<const ExtensionName> extension_names() {
         {"blend_minmax", &Extensions::blend_minmax},
         {"blend_subtract", &Extensions::blend_subtract},
         {"draw_pixels", &Extensions::draw_pixels},
+        {"blend_separate", &Extensions::blend_separate},
+        {"blend_square", &Extensions::blend_square},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -28,6 +28,8 @@ struct Extensions {
     bool blend_minmax = false;            ///< BlendEquation::Min, Max
     bool blend_subtract = false;          ///< BlendEquation::Subtract, ReverseSubtract
     bool draw_pixels = false;             ///< DrawPixels
+    bool blend_separate = false;          ///< BlendAlphaState
+    bool blend_square = false;            ///< colours as factors of their own side
     bool operator==(const Extensions&) const = default;
 };
 

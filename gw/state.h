@@ -25,10 +25,10 @@ enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, I
 enum class BlendFactor : std::uint8_t {
     Zero,
     One,
-    SrcColor,          ///< destination factor only
-    OneMinusSrcColor,  ///< destination factor only
-    DstColor,          ///< source factor only
-    OneMinusDstColor,  ///< source factor only
+    SrcColor,          ///< destination factor only, without extension blend_square
+    OneMinusSrcColor,  ///< destination factor only, without extension blend_square
+    DstColor,          ///< source factor only, without extension blend_square
+    OneMinusDstColor,  ///< source factor only, without extension blend_square
     SrcAlpha,
     OneMinusSrcAlpha,
     DstAlpha,
@@ -268,17 +268,34 @@ enum class BlendEquation : std::uint8_t {
     Min,              ///< extension blend_minmax
     Max,              ///< extension blend_minmax
 };
+/// Extension blend_separate: alpha has factors and an equation of its own.
+struct BlendAlphaState {
+    bool separate = false;
+    BlendFactor src = BlendFactor::One, dst = BlendFactor::Zero;
+    BlendEquation equation = BlendEquation::Add;
+    bool operator==(const BlendAlphaState&) const = default;
+};
 struct BlendState {
     bool enable = false;
     BlendFactor src = BlendFactor::One, dst = BlendFactor::Zero;
     BlendEquation equation = BlendEquation::Add;
     vec4 color{0, 0, 0, 0};  ///< of the constant factors
+    BlendAlphaState alpha;
     bool operator==(const BlendState&) const = default;
 };
+/// The factors and the equation of some channels.
+struct BlendRule {
+    BlendFactor src, dst;
+    BlendEquation equation;
+};
+constexpr BlendRule color_rule(const BlendState& b) { return {b.src, b.dst, b.equation}; }
+constexpr BlendRule alpha_rule(const BlendState& b) {
+    return b.alpha.separate ? BlendRule{b.alpha.src, b.alpha.dst, b.alpha.equation} : color_rule(b);
+}
 /// Whether it adds the colours: the blend of the passes of [K3].
 constexpr bool adds_colors(const BlendState& b) {
     return b.src == BlendFactor::One && b.dst == BlendFactor::One &&
-           b.equation == BlendEquation::Add;
+           b.equation == BlendEquation::Add && !b.alpha.separate;
 }
 
 /// glLogicOp's operations in GL's order. Bit 0 of the value is the result's bit if both bits are

@@ -87,7 +87,7 @@ void draw_straight_corners(Script& s) {
 }  // namespace
 
 Case outlines_case(Random& r) {
-    Profile profile = opengl();
+    Profile profile = opengl_up_to(&Extensions::draw_pixels);
     profile.subpixel_bits = r.between(1, 2);
     Script s = pixel_script(r, profile, outline_window, outline_window);
     draw_stippled(s);

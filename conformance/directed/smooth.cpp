@@ -49,7 +49,7 @@ MeshRef steep_triangles(Random& r) {
 }  // namespace
 
 Case smooth_case(Random& r) {
-    Profile profile = opengl();
+    Profile profile = opengl_up_to(&Extensions::draw_pixels);
     profile.color_bits = profile.coverage_bits = 16;
     Script s = pixel_script(r, profile, smooth_window, smooth_window);
     draw_discs(s);

@@ -46,7 +46,7 @@ void draw_resolved(Script& s, int side) {
 // [R14.8] Under every draw buffer, the commands that write colours.
 Case state_rules_case(Random& r) {
     constexpr int side = 12;
-    Script s = pixel_script(r, opengl(), side, side);
+    Script s = pixel_script(r, opengl_up_to(&Extensions::draw_pixels), side, side);
     draw_resolved(s, side);
     for (const DrawBuffer buffer : {DrawBuffer::FrontAndBack, DrawBuffer::None, DrawBuffer::Back}) {
         s.state.draw_buffer = buffer;

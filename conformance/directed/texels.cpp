@@ -38,7 +38,7 @@ MeshData colored_square(Random& r, int side, float low, float high) {
 // [R10.17] [R10.24]
 Case environments_case(Random& r) {
     constexpr int side = 12;
-    Script s = pixel_script(r, opengl(), side, side);
+    Script s = pixel_script(r, opengl_up_to(&Extensions::draw_pixels), side, side);
     const MeshRef mesh = make_mesh(colored_square(r, side, 0, 1));
     for (int format = 0; format <= int(TextureFormat::Intensity); ++format) {
         const TextureRef texture = noise_of_format(r, TextureFormat(format));
@@ -99,7 +99,7 @@ void draw_projected(Script& s, int side) {
 
 Case texels_case(Random& r) {
     constexpr int side = 16;
-    Profile profile = opengl();
+    Profile profile = opengl_up_to(&Extensions::draw_pixels);
     profile.texel_bits = r.between(2, 5);
     profile.extensions.shadow_texture = true;
     Script s = pixel_script(r, profile, side, side);

@@ -239,7 +239,7 @@ void draw_flagged_outlines(Script& s) {
 }  // namespace
 
 Case vertex_rules_case(Random& r) {
-    Profile profile = opengl();
+    Profile profile = opengl_up_to(&Extensions::draw_pixels);
     profile.color_bits = profile.lit_bits = r.pick({8, 12});
     Script s = pixel_script(r, profile, vertex_window, vertex_window);
     const dmat4 projection = s.state.projection;

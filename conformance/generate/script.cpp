@@ -46,15 +46,33 @@ Profile user_profile(Random& r) {
     return p;
 }
 
-Profile any_opengl_profile(Random& r) {
-    if (r.chance(50)) return opengl();
+Profile opengl_up_to(bool Extensions::*last) {
+    Profile p = opengl();
+    bool is_later = false;
+    for (const auto& [name, member] : extension_names()) {
+        if (is_later) p.extensions.*member = false;
+        if (member == last) is_later = true;
+    }
+    return p;
+}
+
+namespace {
+
+Profile any_like(Random& r, const Profile& profile) {
+    if (r.chance(50)) return profile;
     Profile p = user_profile(r);
     const Extensions own = p.extensions;
-    p.extensions = opengl().extensions;
+    p.extensions = profile.extensions;
     p.extensions.polygon_offset = own.polygon_offset;
     p.extensions.stencil_wrap = own.stencil_wrap;
     p.extensions.two_sided_stencil = own.two_sided_stencil;
     return p;
+}
+
+}  // namespace
+
+Profile any_opengl_profile(Random& r, bool Extensions::*last) {
+    return any_like(r, opengl_up_to(last));
 }
 
 Profile any_profile(Random& r) { return r.chance(70) ? r.pick(paper_profiles()) : user_profile(r); }

@@ -19,8 +19,10 @@ struct Script {
 Profile any_profile(Random& random);
 /// Every field has a random value of its range.
 Profile user_profile(Random& random);
-/// Profile opengl, or bits of every width with its extensions.
-Profile any_opengl_profile(Random& random);
+/// Profile opengl with its extensions up to `last`: recordings must not change when it grows.
+Profile opengl_up_to(bool Extensions::*last);
+/// The same, or bits of every width.
+Profile any_opengl_profile(Random& random, bool Extensions::*last = &Extensions::draw_pixels);
 
 /// A window, a frame to place vertices in, and clears of every plane: depth to 1, colour and
 /// stencil to random values.

@@ -67,6 +67,22 @@ BlendState any_extended_blend(Random& r) {
     return b;
 }
 
+BlendState any_separate_blend(Random& r) {
+    using enum BlendFactor;
+    const auto factors = [&r](BlendFactor& src, BlendFactor& dst) {
+        src = r.chance(40) ? r.pick({SrcColor, OneMinusSrcColor}) : r.any<BlendFactor>();
+        dst = r.chance(40) ? r.pick({DstColor, OneMinusDstColor}) : r.any<BlendFactor>();
+        if (dst == SrcAlphaSaturate) dst = Zero;
+    };
+    BlendState b = any_extended_blend(r);
+    if (r.chance(70)) factors(b.src, b.dst);
+    if (r.chance(40)) b.equation = BlendEquation::Add;
+    b.alpha.separate = r.chance(75);
+    b.alpha.equation = r.any<BlendEquation>();
+    factors(b.alpha.src, b.alpha.dst);
+    return b;
+}
+
 LogicOpState any_logic_op(Random& r) { return {r.chance(85), r.any<LogicOp>()}; }
 
 ColorMask any_color_mask(Random& r) {

@@ -12,6 +12,8 @@ AlphaState any_alpha(Random& random);
 BlendState any_blend(Random& random);
 /// Every factor and equation that extensions bring too.
 BlendState any_extended_blend(Random& random);
+/// Every factor on both sides; alpha often has its own. Where alpha's are off, they are any.
+BlendState any_separate_blend(Random& random);
 LogicOpState any_logic_op(Random& random);
 ColorMask any_color_mask(Random& random);
 CullState any_cull(Random& random);

@@ -79,15 +79,24 @@ def equations():
 EQUATIONS = equations()
 
 
+def joined_by(src, dst, equation, s, d, constant, bits):
+    """[R12.11] All channels."""
+    s_part = mul(s, factors(src, s, d, constant, one(bits)), bits)
+    d_part = mul(d, factors(dst, s, d, constant, one(bits)), bits)
+    return eval(EQUATIONS[equation], {"min": np.minimum, "max": np.maximum}, {
+        "s": s, "d": d, "s_part": s_part, "d_part": d_part, "one": one(bits)})
+
+
 def blended(state, s, d, bits):
-    """[R12.10], [R12.11]"""
-    blend, constant = state.blend, state.blend_color
+    """[R12.10], [R12.17]"""
+    blend, alpha, constant = state.blend, state.blend_alpha, state.blend_color
     if not blend.enable:
         return s
-    s_part = mul(s, factors(blend.src, s, d, constant, one(bits)), bits)
-    d_part = mul(d, factors(blend.dst, s, d, constant, one(bits)), bits)
-    return eval(EQUATIONS[state.blend_equation], {"min": np.minimum, "max": np.maximum}, {
-        "s": s, "d": d, "s_part": s_part, "d_part": d_part, "one": one(bits)})
+    result = joined_by(blend.src, blend.dst, state.blend_equation, s, d, constant, bits)
+    if alpha.separate:
+        own = joined_by(alpha.src, alpha.dst, alpha.equation, s, d, constant, bits)
+        result[:, 3] = own[:, 3]
+    return result
 
 
 def logic_result(operation, s, d, bits):

@@ -91,6 +91,8 @@ class Profile:
     draw_pixels: bool = False
     coverage_bits: int = 0
     color_planes: int = 1
+    blend_separate: bool = False
+    blend_square: bool = False
 
 
 @dataclass

@@ -184,6 +184,14 @@ class Blend:
 
 
 @dataclass
+class BlendAlpha:
+    separate: bool = False
+    src: int = BlendFactor.One
+    dst: int = BlendFactor.Zero
+    equation: int = BlendEquation.Add
+
+
+@dataclass
 class LogicOperation:
     enable: bool = False
     op: int = LogicOp.Copy
@@ -263,6 +271,7 @@ class State:
     polygon_smooth: bool = False
     draw_buffer: int = DrawBuffer.Front
     read_buffer: int = ReadBuffer.Front
+    blend_alpha: BlendAlpha = field(default_factory=BlendAlpha)
 
 
 # ---- Resolved state -------------------------------------------------------------------------
@@ -332,6 +341,7 @@ class Resolved:
         self.faces = (front, back if state.stencil.two_side else front)
         self.blend = state.blend
         self.blend_equation = state.blend_equation
+        self.blend_alpha = state.blend_alpha
         self.blend_color = np.array([quantize(v, profile.color_bits) for v in state.blend_color],
                                     np.int64)
         self.logic_op = state.logic_op

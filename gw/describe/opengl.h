@@ -191,7 +191,8 @@ constexpr bool has_word(const Extensions& extensions, Enum value) {
     return extension == nullptr || extensions.*extension;
 }
 
-/// [GL11] tables 4.1 and 4.2: each colour is a factor of one side only.
+/// [GL11] tables 4.1 and 4.2: each colour is a factor of one side only. Extension blend_square:
+/// of both.
 constexpr bool is_source(BlendFactor f) {
     return f != BlendFactor::SrcColor && f != BlendFactor::OneMinusSrcColor;
 }

@@ -234,18 +234,31 @@ inline constexpr auto fields_of<DepthState> =
                field("func", &DepthState::func, "R12.9", "The comparison."),
                field("mask", &DepthState::mask, "R12.9", "Whether depths are written."));
 
+/// BlendState has them for colours, BlendAlphaState for alpha.
+template <class Blend>
+inline constexpr auto blend_factor_fields = std::tuple(
+    field("src", &Blend::src, "R12.12", "Factor of the fragment.",
+          restricted("without `blend_square` not SrcColor, OneMinusSrcColor")),
+    field(
+        "dst", &Blend::dst, "R12.12", "Factor of the plane.",
+        restricted("not SrcAlphaSaturate; without `blend_square` not DstColor, OneMinusDstColor")),
+    field("equation", &Blend::equation, "R12.14", "Their combination.", restricted("extensions")));
+
+template <>
+inline constexpr auto sentence_of<BlendAlphaState> = "Extension blend_separate.";
+template <>
+inline constexpr auto fields_of<BlendAlphaState> =
+    std::tuple_cat(std::tuple(field("separate", &BlendAlphaState::separate, "R12.17",
+                                    "Alpha is blended by these.", restricted("extension"))),
+                   blend_factor_fields<BlendAlphaState>);
 template <>
 inline constexpr auto sentence_of<BlendState> = "Blending.";
 template <>
-inline constexpr auto fields_of<BlendState> =
-    std::tuple(field("enable", &BlendState::enable, "R12.11", "Whether it is on."),
-               field("src", &BlendState::src, "R12.12", "Factor of the fragment.",
-                     restricted("not SrcColor, OneMinusSrcColor")),
-               field("dst", &BlendState::dst, "R12.12", "Factor of the plane.",
-                     restricted("not DstColor, OneMinusDstColor, SrcAlphaSaturate")),
-               field("equation", &BlendState::equation, "R12.14", "Their combination.",
-                     restricted("extensions")),
-               field("color", &BlendState::color, "R12.12", "Of the constant factors."));
+inline constexpr auto fields_of<BlendState> = std::tuple_cat(
+    std::tuple(field("enable", &BlendState::enable, "R12.11", "Whether it is on.")),
+    blend_factor_fields<BlendState>,
+    std::tuple(field("color", &BlendState::color, "R12.12", "Of the constant factors."),
+               field("alpha", &BlendState::alpha, "", "Of alpha.")));
 
 template <>
 inline constexpr auto sentence_of<LogicOpState> = "Extension logic_op.";

@@ -83,11 +83,12 @@ constexpr Rgba blend(const BlendState& state, const BlendColors& colors, int bit
     Rgba out{};
     for (int c = 0; c < 4; ++c) {
         const auto i = std::size_t(c);
+        const BlendRule rule = c == 3 ? alpha_rule(state) : color_rule(state);
         const std::uint32_t src = colors.src[i], dst = colors.dst[i];
-        const std::uint32_t s = mul(src, blend_factor(state.src, colors, c, max), bits);
-        const std::uint32_t d = mul(dst, blend_factor(state.dst, colors, c, max), bits);
+        const std::uint32_t s = mul(src, blend_factor(rule.src, colors, c, max), bits);
+        const std::uint32_t d = mul(dst, blend_factor(rule.dst, colors, c, max), bits);
         std::uint32_t v = 0;
-        switch (state.equation) {
+        switch (rule.equation) {
             case BlendEquation::Add: v = std::min(max, s + d); break;
             case BlendEquation::Subtract: v = s > d ? s - d : 0; break;
             case BlendEquation::ReverseSubtract: v = d > s ? d - s : 0; break;

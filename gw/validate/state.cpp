@@ -28,6 +28,11 @@ void check_words(const Checker& c, const BlendState& b) {
     check_word(c, b.src);
     check_word(c, b.dst);
     check_word(c, b.equation);
+    if (!b.alpha.separate) return;
+    c.extension(true, c.profile.extensions.blend_separate, "blend_separate");
+    check_word(c, b.alpha.src);
+    check_word(c, b.alpha.dst);
+    check_word(c, b.alpha.equation);
 }
 
 void check_extensions(const Checker& c, const State& s) {
@@ -107,9 +112,20 @@ void check_factor(const Checker& c, const char* field, BlendFactor factor, bool 
     if (!is_allowed)
         c.fail(fmt::format("{} = {}; expected a {} factor", field, enumerator(factor), side));
 }
+/// SrcAlphaSaturate is a source factor even with blend_square.
 void check_blend(const Checker& c, const BlendState& b) {
-    check_factor(c, "blend.src", b.src, is_source(b.src), "source");
-    check_factor(c, "blend.dst", b.dst, is_destination(b.dst), "destination");
+    const bool both = c.profile.extensions.blend_square;
+    const auto source = [&](const char* field, BlendFactor f) {
+        check_factor(c, field, f, both || is_source(f), "source");
+    };
+    const auto destination = [&](const char* field, BlendFactor f) {
+        check_factor(c, field, f, is_destination(f) || (both && f != BlendFactor::SrcAlphaSaturate),
+                     "destination");
+    };
+    source("blend.src", b.src);
+    destination("blend.dst", b.dst);
+    source("blend.alpha.src", b.alpha.src);
+    destination("blend.alpha.dst", b.alpha.dst);
 }
 
 /// The sphere gives s and t only.

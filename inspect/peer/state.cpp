@@ -109,6 +109,7 @@ bool is_constant(BlendFactor f) { return f >= BlendFactor::ConstantColor; }
 
 void apply(const BlendState& s) {
     enable(GL_BLEND, s.enable);
+    if (s.enable && s.alpha.separate) refuse("glBlendFuncSeparate", "blend.alpha");
     if (is_constant(s.src) || is_constant(s.dst))
         required(gl().BlendColor, "GL_EXT_blend_color", "blend.color")(s.color.x, s.color.y,
                                                                        s.color.z, s.color.w);

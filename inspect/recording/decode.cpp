@@ -51,22 +51,23 @@ Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first()
 
 /// All but its name.
 Profile from_file(const gwt::Profile& p) {
-    return {.color_bits = p.color_bits(),
-            .depth_bits = p.depth_bits(),
-            .stencil_bits = p.stencil_bits(),
-            .accum_bits = p.accum_bits(),
-            .subpixel_bits = p.subpixel_bits(),
-            .lit_bits = p.lit_bits(),
-            .max_lights = p.max_lights(),
-            .texel_bits = p.texel_bits(),
-            .coverage_bits = p.coverage_bits(),
-            .color_planes = p.color_planes(),
-            .fragment_fog = p.fragment_fog(),
-            .perspective_color = p.perspective_color(),
-            .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
-                           p.two_sided_stencil(), p.texture_border(), p.texture_formats(),
-                           p.stipple(), p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(),
-                           p.blend_minmax(), p.blend_subtract(), p.draw_pixels()}};
+    return {
+        .color_bits = p.color_bits(),
+        .depth_bits = p.depth_bits(),
+        .stencil_bits = p.stencil_bits(),
+        .accum_bits = p.accum_bits(),
+        .subpixel_bits = p.subpixel_bits(),
+        .lit_bits = p.lit_bits(),
+        .max_lights = p.max_lights(),
+        .texel_bits = p.texel_bits(),
+        .coverage_bits = p.coverage_bits(),
+        .color_planes = p.color_planes(),
+        .fragment_fog = p.fragment_fog(),
+        .perspective_color = p.perspective_color(),
+        .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
+                       p.two_sided_stencil(), p.texture_border(), p.texture_formats(), p.stipple(),
+                       p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(), p.blend_minmax(),
+                       p.blend_subtract(), p.draw_pixels(), p.blend_separate(), p.blend_square()}};
 }
 
 class Decoder {

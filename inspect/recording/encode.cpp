@@ -261,13 +261,13 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list, const CallTable*
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
     const Extensions& e = p.extensions;
-    return gwt::CreateProfile(out_, out_.CreateString(p.name), p.color_bits, p.depth_bits,
-                              p.stencil_bits, p.accum_bits, p.subpixel_bits, p.lit_bits,
-                              p.max_lights, p.fragment_fog, p.perspective_color, e.polygon_offset,
-                              e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
-                              e.texture_border, e.texture_formats, e.stipple,
-                              e.two_sided_polygon_mode, e.logic_op, e.blend_color, e.blend_minmax,
-                              e.blend_subtract, e.draw_pixels, p.coverage_bits, p.color_planes);
+    return gwt::CreateProfile(
+        out_, out_.CreateString(p.name), p.color_bits, p.depth_bits, p.stencil_bits, p.accum_bits,
+        p.subpixel_bits, p.lit_bits, p.max_lights, p.fragment_fog, p.perspective_color,
+        e.polygon_offset, e.shadow_texture, e.stencil_wrap, e.two_sided_stencil, p.texel_bits,
+        e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
+        e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
+        p.color_planes, e.blend_separate, e.blend_square);
 }
 
 bool needs_version_2(const Profile& p) {

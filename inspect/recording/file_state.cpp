@@ -102,6 +102,8 @@ auto& ours(OurState& s) {
         return s.blend.equation;
     else if constexpr (name == "blend_color")
         return s.blend.color;
+    else if constexpr (name == "blend_alpha")
+        return s.blend.alpha;
     else if constexpr (name == "color_material")
         return s.lighting.color_material;
     else if constexpr (name == "coordinates")

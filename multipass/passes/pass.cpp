@@ -32,6 +32,9 @@ std::string blend_text(const BlendState& b) {
     if (!b.enable) return "";
     std::string text = fmt::format("; blend {} {}", token(b.src), token(b.dst));
     if (b.equation != BlendEquation::Add) text += fmt::format(", {}", token(b.equation));
+    const BlendAlphaState& a = b.alpha;
+    if (a.separate)
+        text += fmt::format(", alpha {} {} {}", token(a.src), token(a.dst), token(a.equation));
     const vec4& c = b.color;
     if (c != vec4(0)) text += fmt::format(", color ({}, {}, {}, {})", c.x, c.y, c.z, c.w);
     return text;

@@ -47,6 +47,11 @@ void pass_keys(Keys& keys, PassOrConst& pass) {
         k.destination("dst", blend.dst);
         k.token("equation", blend.equation);
         k.color("color", blend.color);
+        k.table("alpha", blend.alpha.separate, blend.alpha, [](auto& a, auto& alpha) {
+            a.source("src", alpha.src);
+            a.destination("dst", alpha.dst);
+            a.token("equation", alpha.equation);
+        });
     });
     keys.flag("color", pass.color);
     keys.token("fog", pass.fog);

@@ -83,7 +83,8 @@ TEST_F(PassToml, OfEveryFieldReadsTheSamePass) {
                   .src = BlendFactor::SrcAlphaSaturate,
                   .dst = BlendFactor::OneMinusConstantAlpha,
                   .equation = BlendEquation::ReverseSubtract,
-                  .color = {0.25f, 0.5f, 1.0f / 3, 1}};
+                  .color = {0.25f, 0.5f, 1.0f / 3, 1},
+                  .alpha = {true, BlendFactor::DstAlpha, BlendFactor::One, BlendEquation::Max}};
     pass.color = false;
     pass.fog = PassFog::Black;
     pass.objects = PassObjects::Named;

@@ -63,7 +63,7 @@ HWY_INLINE V join_lanes(BlendEquation equation, const BlendLanes<V>& l, std::siz
 /// 8 bits a channel: everything fits 16-bit lanes.
 HWY_NOINLINE inline void blend_bytes(const Resolved& r, const ColorBlock& src,
                                      const ColorBlock& dst, ColorBlock& out) {
-    const BlendState& b = r.state.blend;
+    const BlendRule rules[2] = {color_rule(r.state.blend), alpha_rule(r.state.blend)};
     const D16 d;
     const auto max = hn::Set(d, std::uint16_t{255});
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
@@ -74,6 +74,7 @@ HWY_NOINLINE inline void blend_bytes(const Resolved& r, const ColorBlock& src,
             l.constant[c] = hn::Set(d, r.blend_color[c]);
         }
         for (std::size_t c = 0; c < 4; ++c) {
+            const BlendRule& b = rules[c == 3 ? 1 : 0];
             const auto s = mul_bytes(d, l.src[c], blend_factor_lanes(d, b.src, l, c, max));
             const auto t = mul_bytes(d, l.dst[c], blend_factor_lanes(d, b.dst, l, c, max));
             hn::Store(join_lanes(b.equation, l, c, s, t, max), d, out.channel[c] + i);
@@ -103,7 +104,8 @@ HWY_INLINE CommonBlend common_blend(const Resolved& r) {
     using enum BlendFactor;
     const BlendState& b = r.state.blend;
     const ColorMask& m = r.state.color_mask;
-    if (r.bits != 8 || !b.enable || b.equation != BlendEquation::Add || !(m.r && m.g && m.b && m.a))
+    if (r.bits != 8 || !b.enable || b.equation != BlendEquation::Add || b.alpha.separate ||
+        !(m.r && m.g && m.b && m.a))
         return CommonBlend::None;
     if (b.src == SrcAlpha && b.dst == OneMinusSrcAlpha) return CommonBlend::Transparency;
     if (b.src == SrcAlpha && b.dst == One) return CommonBlend::Glow;
@@ -137,7 +139,7 @@ HWY_NOINLINE inline void blend_block(const Resolved& r, const ColorBlock& src,
                                      const ColorBlock& dst, ColorBlock& out) {
     const int bits = r.bits;
     if (bits == 8) return blend_bytes(r, src, dst, out);
-    const BlendState& b = r.state.blend;
+    const BlendRule rules[2] = {color_rule(r.state.blend), alpha_rule(r.state.blend)};
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -148,6 +150,7 @@ HWY_NOINLINE inline void blend_block(const Resolved& r, const ColorBlock& src,
             l.constant[c] = hn::Set(d, r.blend_color[c]);
         }
         for (std::size_t c = 0; c < 4; ++c) {
+            const BlendRule& b = rules[c == 3 ? 1 : 0];
             const auto s = mul_lanes(l.src[c], blend_factor_lanes(d, b.src, l, c, max), bits);
             const auto t = mul_lanes(l.dst[c], blend_factor_lanes(d, b.dst, l, c, max), bits);
             hn::Store(narrow(join_lanes(b.equation, l, c, s, t, max)), Half16(),

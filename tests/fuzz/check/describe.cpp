@@ -78,6 +78,8 @@ std::string fragment_text(const State& s, const State& initial) {
         fmt::format("depth {} func {} mask {}", s.depth.test, int(s.depth.func), s.depth.mask));
     add(s.blend != initial.blend,
         fmt::format("blend {} {} {}", s.blend.enable, int(s.blend.src), int(s.blend.dst)));
+    add(s.blend.alpha.separate, fmt::format("alpha {} {} {}", int(s.blend.alpha.src),
+                                            int(s.blend.alpha.dst), int(s.blend.alpha.equation)));
     add(s.color_mask != initial.color_mask,
         fmt::format("mask {:d}{:d}{:d}{:d}", s.color_mask.r, s.color_mask.g, s.color_mask.b,
                     s.color_mask.a));

@@ -1,5 +1,6 @@
 // Random lists with one wrong value: both machines refuse a list with the same message and draw
 // nothing, or they accept it and agree. Does not know which values are wrong.
+#include "gw/describe/state_fields.h"
 #include "tests/fuzz/run.h"
 #include "tests/gw/workbench.h"
 
@@ -40,9 +41,12 @@ void spoil(Random& r, Rect& rect) {
 void spoil(Random& r, vec4& v) { spoil(r, v[r.below(4)]); }
 void spoil(Random& r, dmat4& m) { spoil(r, m[r.below(4)][r.below(4)]); }
 
-void spoil(Random& r, StencilState& s);
-void spoil(Random& r, TextureState& t);
-void spoil(Random& r, FogState& f);
+void spoil(Random& r, dvec4& v) { spoil(r, v[r.below(4)]); }
+void spoil(Random& r, PolygonStippleState& s) {
+    const std::array<std::uint32_t, 32> rows{r.bits(32), r.bits(32)};
+    s.pattern =
+        r.chance(50) ? nullptr : std::make_shared<const std::array<std::uint32_t, 32>>(rows);
+}
 
 /// Spoils one of the fields.
 template <class... Fields>
@@ -54,30 +58,20 @@ void spoil_one(Random& r, Fields&... fields) {
     (spoil_chosen(fields), ...);
 }
 
-void spoil(Random& r, StencilState& s) {
-    spoil_one(r, s.test, s.func, s.fail, s.zfail, s.zpass, s.mask, s.write_mask, s.ref, s.two_side,
-              s.back.func, s.back.fail, s.back.zfail, s.back.zpass, s.back.write_mask);
-}
-void spoil(Random& r, TextureState& t) {
-    spoil_one(r, t.min_filter, t.mag_filter, t.wrap_s, t.wrap_t, t.env, t.gen, t.env_color, t.eta,
-              t.eye_linear, t.shadow_compare);
-}
-void spoil(Random& r, FogState& f) {
-    spoil_one(r, f.enable, f.mode, f.coordinate, f.density, f.start, f.end, f.color);
-}
-
 void spoil_command(Random& r, BeginPass& c) { spoil(r, c.digests); }
 void spoil_command(Random& r, Clear& c) {
     spoil_one(r, c.planes, c.color, c.depth, c.stencil, c.accum);
 }
 void spoil_command(Random& r, SetState& c) {
-    State& s = c.state.edit();
-    spoil_one(r, s.projection, s.viewport.x, s.viewport.width, s.depth_range.far_value,
-              s.clip_planes[1].plane[2], s.cull.face, s.cull.front, s.polygon_mode,
-              s.polygon_offset.factor, s.jitter.x, s.point_size, s.line_width, s.shade_model,
-              s.color_source, s.lighting.model_ambient, s.fog, s.fog, s.texture, s.texture,
-              s.scissor.box, s.alpha.func, s.alpha.ref, s.stencil, s.stencil, s.depth.func,
-              s.blend.src, s.blend.dst, s.draw_buffer, s.read_buffer);
+    // One of all values of the state, as the description counts them.
+    State& state = c.state.edit();
+    int count = 0;
+    for_each_value(state, [&](const Path&, const Plain auto&, const auto&) { ++count; });
+    int chosen = r.below(count);
+    for_each_value(state, [&](const Path&, const Plain auto& value, const auto&) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if (chosen-- == 0) spoil(r, const_cast<Value&>(value));
+    });
 }
 void spoil_command(Random& r, Draw& c) {
     if (r.chance(10)) c.mesh = nullptr;

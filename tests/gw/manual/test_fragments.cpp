@@ -210,6 +210,53 @@ TEST(ManualFragments, JoinedColoursByHand) {
     EXPECT_EQ(logic(LogicOp::Set), 255);
 }
 
+// [R12.17] [R12.18]
+TEST(ManualFragments, AlphaIsBlendedByItsOwnFactors) {
+    Workbench bench(opengl(), 1, 1);
+    const auto blended = [&](const BlendState& blend) {
+        bench.state.blend = {};
+        bench.write(pixel, {100, 100, 100, 255});
+        bench.state.blend = blend;
+        bench.write(pixel, {200, 100, 50, 128});
+        return bench.color(0, 0);
+    };
+    BlendState blend{true, BlendFactor::SrcAlpha, BlendFactor::OneMinusSrcAlpha};
+    blend.alpha = {false, BlendFactor::DstAlpha, BlendFactor::One, BlendEquation::ReverseSubtract};
+    EXPECT_EQ(blended(blend), (Rgba{150, 100, 75, 191}));
+    blend.alpha.separate = true;
+    EXPECT_EQ(blended(blend), (Rgba{150, 100, 75, 127}));
+    blend.src = BlendFactor::SrcColor;
+    blend.dst = BlendFactor::DstColor;
+    EXPECT_EQ(blended(blend), (Rgba{196, 78, 49, 127}));  // 156.86 + 39.22, 78.43, 9.80 + 39.22
+    blend.alpha = {true, BlendFactor::One, BlendFactor::SrcAlphaSaturate};
+    EXPECT_THROW(blended(blend), Error);
+}
+
+// [R12.17] [R12.18]
+TEST(ManualFragments, SeparateAndSquareBlendsAreExtensions) {
+    const auto refusal_of = [](bool Extensions::*missing, const BlendState& blend) {
+        Profile profile = opengl();
+        profile.extensions.*missing = false;
+        Workbench bench(profile, 1, 1);
+        bench.state.blend = blend;
+        return test::error_of([&] { bench.write(pixel, {}); });
+    };
+    BlendState blend{true, BlendFactor::One, BlendFactor::One};
+    blend.alpha.separate = true;
+    EXPECT_EQ(refusal_of(&Extensions::blend_separate, blend),
+              "command 0 (SetState): extension blend_separate is not in profile opengl");
+    EXPECT_EQ(refusal_of(&Extensions::blend_square, blend), "");
+    blend.alpha.equation = BlendEquation::Min;
+    EXPECT_EQ(refusal_of(&Extensions::blend_minmax, blend),
+              "command 0 (SetState): extension blend_minmax is not in profile opengl");
+    blend.alpha.dst = BlendFactor::DstColor;
+    EXPECT_EQ(refusal_of(&Extensions::blend_square, blend),
+              "command 0 (SetState): blend.alpha.dst = DstColor; expected a destination factor");
+    blend.alpha.separate = false;
+    blend.alpha.dst = BlendFactor::Zero;
+    EXPECT_EQ(refusal_of(&Extensions::blend_minmax, blend), "");
+}
+
 // [R12.12]
 TEST(ManualFragments, AConstantColour) {
     Workbench bench(opengl(), 1, 1);

@@ -112,6 +112,11 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.blend.dst = BlendFactor::DstColor; });
     add([](State& s) { s.blend.dst = BlendFactor::OneMinusDstColor; });
     add([](State& s) { s.blend.dst = BlendFactor::SrcAlphaSaturate; });
+    add([](State& s) { s.blend.alpha.src = BlendFactor::SrcColor; });
+    add([](State& s) { s.blend.alpha.src = BlendFactor::OneMinusSrcColor; });
+    add([](State& s) { s.blend.alpha.dst = BlendFactor::DstColor; });
+    add([](State& s) { s.blend.alpha.dst = BlendFactor::OneMinusDstColor; });
+    add([](State& s) { s.blend.alpha.dst = BlendFactor::SrcAlphaSaturate; });
     add([](State& s) {
         s.fog.enable = true;
         s.fog.start = nan;
