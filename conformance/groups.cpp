@@ -110,6 +110,8 @@ const std::vector<Group>& all_groups() {
          tiny_draws_case, 0, color | depth | stencil, {&C::draws, &C::depth_killed, &C::written}},
         {"separate-blend", "factors and equations of alpha, every factor on both sides", "R12.17 R12.18",
          separate_blend_case, 16, color, {&C::alpha_killed, &C::written}},
+        {"texture-sizes", "textures and slots of any size, mirrors, borders, levels and their bias", "R10.28-R10.31",
+         texture_sizes_case, 40, color, {&C::texels, &C::pixels, &C::written}},
     };
     return all;
 }

@@ -160,7 +160,7 @@ struct DrawPixels {
 };
 
 /// Fills a texture slot from a rectangle of the colour or depth plane (glCopyTexImage2D). The
-/// rectangle lies inside the window and its sides are powers of two. A depth slot is a texture for
+/// rectangle lies inside the window; without texture_sizes its sides are powers of two. A depth slot is a texture for
 /// shadow_compare, or is read as grey.
 struct CopyTexture {
     std::uint32_t slot = 0;  ///< 0 .. 255

@@ -55,7 +55,10 @@ Profile opengl() {
                     .blend_subtract = true,
                     .draw_pixels = true,
                     .blend_separate = true,
-                    .blend_square = true};
+                    .blend_square = true,
+                    .texture_sizes = true,
+                    .texture_wraps = true,
+                    .texture_lod = true};
     return p;
 }
 
@@ -76,6 +79,9 @@ std::span<const ExtensionName> extension_names() {
         {"draw_pixels", &Extensions::draw_pixels},
         {"blend_separate", &Extensions::blend_separate},
         {"blend_square", &Extensions::blend_square},
+        {"texture_sizes", &Extensions::texture_sizes},
+        {"texture_wraps", &Extensions::texture_wraps},
+        {"texture_lod", &Extensions::texture_lod},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

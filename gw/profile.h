@@ -30,6 +30,9 @@ struct Extensions {
     bool draw_pixels = false;             ///< DrawPixels
     bool blend_separate = false;          ///< BlendAlphaState
     bool blend_square = false;            ///< colours as factors of their own side
+    bool texture_sizes = false;           ///< sides that are no powers of two, or up to 8192
+    bool texture_wraps = false;           ///< Wrap::ClampToBorder, MirroredRepeat
+    bool texture_lod = false;             ///< TextureLodState
     bool operator==(const Extensions&) const = default;
 };
 

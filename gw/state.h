@@ -168,7 +168,12 @@ enum class Wrap : std::uint8_t {
     Repeat,
     Clamp,        ///< to the texels at the edge
     BorderClamp,  ///< extension texture_border: GL_CLAMP, half way into the border
+    /// extension texture_wraps
+    ClampToBorder,   ///< the border outside
+    MirroredRepeat,  ///< every second repeat is mirrored
 };
+/// Whether the integer part of a coordinate is no distance.
+constexpr bool repeats(Wrap wrap) { return wrap == Wrap::Repeat || wrap == Wrap::MirroredRepeat; }
 enum class TexEnv : std::uint8_t { Modulate, Decal, Blend, Replace };
 enum class TexGen : std::uint8_t {
     None,
@@ -189,6 +194,12 @@ struct CoordinateGen {
     dvec4 plane{0, 0, 0, 0};
     bool operator==(const CoordinateGen&) const = default;
 };
+/// Extension texture_lod: which levels are used. The nearest existing ones stand for others.
+struct TextureLodState {
+    int base_level = 0, max_level = 1000;
+    float bias = 0, min = -1000, max = 1000;  ///< of log2 of the texels per pixel
+    bool operator==(const TextureLodState&) const = default;
+};
 struct TextureState {
     MinFilter min_filter = MinFilter::Linear;
     MagFilter mag_filter = MagFilter::Linear;
@@ -203,6 +214,7 @@ struct TextureState {
     vec4 border_color{0, 0, 0, 0};  ///< BorderClamp: of textures without a border of their own
     /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
+    TextureLodState lod;
     bool operator==(const TextureState&) const = default;
 };
 

@@ -3,16 +3,17 @@
 #include "gw/error.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace gw {
 namespace {
 
-void check(const std::string& name, int width, int height, std::size_t values) {
+void check(const std::string& name, int width, int height, std::size_t values, int most) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    if (width < 1 || height < 1 || width > max_texture_size || height > max_texture_size)
+    if (width < 1 || height < 1 || width > most || height > most)
         throw Error("texture " + name + ": " + size + " texels; expected sides of 1 to " +
-                    std::to_string(max_texture_size));
+                    std::to_string(most));
     if (values != std::size_t{4} * std::size_t(width) * std::size_t(height))
         throw Error("texture " + name + ": " + std::to_string(values) + " values for " + size +
                     " texels of 4");
@@ -90,6 +91,58 @@ TextureLevel half(const TextureLevel& level) {
     return result;
 }
 
+/// The texels of a side that texel i of its half covers, and their weights.
+struct CoveredTexels {
+    int first, count;
+    std::array<int, 3> weight;
+    int total() const { return weight[0] + weight[1] + weight[2]; }
+};
+CoveredTexels covered(int side, int i) {
+    const int n = side / 2;
+    if (side == 1) return {0, 1, {1}};
+    if (side % 2 == 0) return {2 * i, 2, {1, 1}};
+    return {2 * i, 3, {n - i, n, i + 1}};
+}
+
+/// Means over the area that each texel covers, to nearest, ties up.
+TextureLevel half_of_any_size(const TextureLevel& level) {
+    TextureLevel result{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
+    std::vector<std::uint16_t>& out = result.rgba.edit();
+    for (int y = 0; y < result.height; ++y)
+        for (int x = 0; x < result.width; ++x) {
+            const CoveredTexels columns = covered(level.width, x), rows = covered(level.height, y);
+            const std::uint64_t total =
+                std::uint64_t(columns.total()) * std::uint64_t(rows.total());
+            for (int c = 0; c < 4; ++c) {
+                std::uint64_t sum = 0;
+                for (int j = 0; j < rows.count; ++j)
+                    for (int i = 0; i < columns.count; ++i)
+                        sum += std::uint64_t(rows.weight[std::size_t(j)]) *
+                               std::uint64_t(columns.weight[std::size_t(i)]) *
+                               level.rgba[4 * pixel_index(columns.first + i, rows.first + j,
+                                                          level.width) +
+                                          std::size_t(c)];
+                out.push_back(static_cast<std::uint16_t>((2 * sum + total) / (2 * total)));
+            }
+        }
+    return result;
+}
+
+void add_levels(Texture& texture) {
+    while (texture.levels.back().width > 1 || texture.levels.back().height > 1) {
+        const TextureLevel& last = texture.levels.back();
+        const bool is_plain = !is_any_size(last.width, last.height);
+        texture.levels.push_back(is_plain ? half(last) : half_of_any_size(last));
+    }
+}
+
+std::shared_ptr<Texture> texture_named(std::string name) {
+    auto texture = std::make_shared<Texture>();
+    texture->name = std::move(name);
+    texture->history = TextureHistory::begin();
+    return texture;
+}
+
 void check_levels(const Texture& t) {
     const auto fail = [&](const std::string& what) {
         throw Error("texture " + t.name + ": " + what);
@@ -103,9 +156,8 @@ void check_levels(const Texture& t) {
     int width = t.width(), height = t.height();
     for (std::size_t i = 0; i < t.levels.size(); ++i) {
         const TextureLevel& level = t.levels[i];
-        check(t.name, width, height, std::size_t{4} * std::size_t(width) * std::size_t(height));
-        if (!std::has_single_bit(unsigned(width)) || !std::has_single_bit(unsigned(height)))
-            fail("sides that are no powers of two");
+        check(t.name, width, height, std::size_t{4} * std::size_t(width) * std::size_t(height),
+              max_texture_side);
         if (level.width != width || level.height != height)
             fail("level " + std::to_string(i) + " of " + std::to_string(level.width) + "x" +
                  std::to_string(level.height) + " texels; expected " + std::to_string(width) + "x" +
@@ -170,13 +222,19 @@ TextureRef make_texture(Texture given) {
 
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba) {
-    check(name, width, height, rgba.size());
-    auto texture = std::make_shared<Texture>();
-    texture->name = std::move(name);
-    texture->history = TextureHistory::begin();
+    check(name, width, height, rgba.size(), max_texture_size);
+    auto texture = texture_named(std::move(name));
     texture->levels.push_back(resample(width, height, rgba));
-    while (texture->levels.back().width > 1 || texture->levels.back().height > 1)
-        texture->levels.push_back(half(texture->levels.back()));
+    add_levels(*texture);
+    return texture;
+}
+
+TextureRef make_whole_texture(std::string name, int width, int height,
+                              std::span<const std::uint16_t> rgba) {
+    check(name, width, height, rgba.size(), max_texture_side);
+    auto texture = texture_named(std::move(name));
+    texture->levels.push_back({width, height, std::vector(rgba.begin(), rgba.end())});
+    add_levels(*texture);
     return texture;
 }
 

@@ -32,7 +32,7 @@ public:
 /// One level. A texel has 4 channels of 16 bits, which represent 0 .. 1; an 8-bit channel v is
 /// stored as 257 v. Row 0 is t = 0 (bottom), column 0 is s = 0.
 struct TextureLevel {
-    int width = 1, height = 1;  ///< powers of two
+    int width = 1, height = 1;
     TexelValues rgba;
     bool operator==(const TextureLevel&) const = default;
 };
@@ -114,8 +114,17 @@ constexpr Rgba completed(TextureFormat format, Rgba texel, std::uint16_t one) {
 
 using TextureRef = std::shared_ptr<const Texture>;
 
-/// The largest side of a texture.
+/// The largest side of an image, and of a texture without extension texture_sizes.
 inline constexpr int max_texture_size = 4096;
+/// The largest side of a texture.
+inline constexpr int max_texture_side = 8192;
+/// Whether a side is no power of two, or larger than max_texture_size: extension texture_sizes.
+constexpr bool is_any_size(int width, int height) {
+    const auto is_plain = [](int side) {
+        return (side & (side - 1)) == 0 && side <= max_texture_size;
+    };
+    return !is_plain(width) || !is_plain(height);
+}
 
 /// Makes a texture from `width` x `height` RGBA texels of 16 bits, bottom row first. A side that is
 /// not a power of two is resampled to the next larger one by integer bilinear interpolation. Levels
@@ -123,6 +132,10 @@ inline constexpr int max_texture_size = 4096;
 /// of values is not 4 width height.
 TextureRef make_texture(std::string name, int width, int height,
                         std::span<const std::uint16_t> rgba);
+
+/// The same of an image of any size up to max_texture_side, which is not resampled.
+TextureRef make_whole_texture(std::string name, int width, int height,
+                              std::span<const std::uint16_t> rgba);
 
 /// A texture of given levels, each half as large as the one before, as many as there are. `rgba` of a
 /// level with a border has (width + 2) (height + 2) texels, 1D (width + 2). Channels that the format

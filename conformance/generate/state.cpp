@@ -207,4 +207,26 @@ TextureState any_texture_state(Random& r) {
     return t;
 }
 
+TextureState any_later_texture_state(Random& r) {
+    TextureState t = any_texture_state(r);
+    const auto wrap = [&r] {
+        return r.chance(50) ? r.pick({Wrap::ClampToBorder, Wrap::MirroredRepeat}) : r.any<Wrap>();
+    };
+    t.wrap_s = wrap();
+    t.wrap_t = wrap();
+    t.border_color = any_color(r);
+    if (r.chance(40)) return t;
+    t.min_filter = r.any<MinFilter>();
+    const auto level = [&r] { return r.chance(80) ? r.between(0, 3) : r.between(0, 1000); };
+    const auto amount = [&r] {
+        return r.chance(90) ? float(r.between(-16, 16)) / 4 : float(r.scaled(-1, 1, 0, 100));
+    };
+    if (r.chance(50)) t.lod.base_level = level();
+    if (r.chance(50)) t.lod.max_level = level();
+    if (r.chance(60)) t.lod.bias = amount();
+    if (r.chance(40)) t.lod.min = amount();
+    if (r.chance(40)) t.lod.max = amount();
+    return t;
+}
+
 }  // namespace gw::conformance

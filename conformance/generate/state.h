@@ -32,6 +32,8 @@ FogState any_fog(Random& random, double depth);
 LightingState any_lighting(Random& random);
 /// Filters, wraps, environment; no generated coordinates.
 TextureState any_texture_state(Random& random);
+/// Every wrap, and levels.
+TextureState any_later_texture_state(Random& random);
 
 /// 0 .. 1, often 0 or 1, seldom outside.
 float any_fraction(Random& random);

@@ -35,9 +35,8 @@ class PixelStage:
         has_id = self.state.color_source == ColorSource.PolygonId
         self.texture = None
         if draw.is_textured() and not has_id:
-            self.texture = TextureStage(self.state.texture, self.profile,
-                                        machine.texture_of(draw),
-                                        divided_by_q(self.state, draw), self.state.border_color)
+            self.texture = TextureStage(self.state, self.profile, machine.texture_of(draw),
+                                        divided_by_q(self.state, draw))
         self.fog = self.state.fog if self.state.fog.enable and not has_id else None
         self.fog_table = None
         if self.fog and fog.per_fragment(self.state, self.profile):

@@ -93,6 +93,9 @@ class Profile:
     color_planes: int = 1
     blend_separate: bool = False
     blend_square: bool = False
+    texture_sizes: bool = False
+    texture_wraps: bool = False
+    texture_lod: bool = False
 
 
 @dataclass

@@ -184,6 +184,15 @@ class Blend:
 
 
 @dataclass
+class TextureLod:
+    base_level: int = 0
+    max_level: int = 1000
+    bias: float = 0.0
+    min: float = -1000.0
+    max: float = 1000.0
+
+
+@dataclass
 class BlendAlpha:
     separate: bool = False
     src: int = BlendFactor.One
@@ -272,6 +281,7 @@ class State:
     draw_buffer: int = DrawBuffer.Front
     read_buffer: int = ReadBuffer.Front
     blend_alpha: BlendAlpha = field(default_factory=BlendAlpha)
+    texture_lod: TextureLod = field(default_factory=TextureLod)
 
 
 # ---- Resolved state -------------------------------------------------------------------------

@@ -3,6 +3,7 @@ import math
 
 import numpy as np
 
+from .elementary import exp
 from .numbers import clamp, mul, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
 from .state import MagFilter, MinFilter, TexEnv, TextureFormat, Wrap
@@ -10,18 +11,31 @@ from .state import MagFilter, MinFilter, TexEnv, TextureFormat, Wrap
 LINEAR_FILTERS = (MinFilter.Linear, MinFilter.LinearMipmapNearest, MinFilter.LinearMipmapLinear)
 
 
+def halves(side):
+    """[R10.28] For each texel of half a side: the texels that it covers, and their weights."""
+    n = side // 2
+    if side == 1:
+        return [((0,), (1,))]
+    if side % 2 == 0:
+        return [((2 * i, 2 * i + 1), (1, 1)) for i in range(n)]
+    return [((2 * i, 2 * i + 1, 2 * i + 2), (n - i, n, i + 1)) for i in range(n)]
+
+
+def halved(v, axis):
+    """Sums along one axis, and the sum of the weights."""
+    rows = [sum(w * np.take(v, t, axis) for t, w in zip(texels, weights))
+            for texels, weights in halves(v.shape[axis])]
+    return np.stack(rows, axis), sum(halves(v.shape[axis])[0][1])
+
+
 def pyramid(image):
-    """[R10.6] All levels of an image of 16 bits: arrays [row, column, channel]."""
+    """[R10.6], [R10.28] All levels of an image of 16 bits: arrays [row, column, channel]."""
     levels = [image.astype(np.int64)]
     while levels[-1].shape[:2] != (1, 1):
-        v = levels[-1]
-        h, w = v.shape[:2]
-        j, i = np.arange(max(h // 2, 1)), np.arange(max(w // 2, 1))
-        low, high = 2 * j if h > 1 else j, 2 * j + 1 if h > 1 else j
-        left, right = 2 * i if w > 1 else i, 2 * i + 1 if w > 1 else i
-        a, b = v[np.ix_(low, left)], v[np.ix_(low, right)]
-        c, d = v[np.ix_(high, left)], v[np.ix_(high, right)]
-        levels.append((a + b + c + d + 2) >> 2)
+        rows, row_total = halved(levels[-1], 0)
+        total_sum, column_total = halved(rows, 1)
+        total = row_total * column_total
+        levels.append((2 * total_sum + total) // (2 * total))
     return levels
 
 
@@ -76,27 +90,58 @@ class Texture:
         gray = rescale(values, profile.depth_bits, profile.color_bits)
         return cls([np.repeat(gray[:, :, None], 4, axis=2)], values)
 
-    def log2_sides(self, level):
+    def sides(self, level):
         h, w = self.levels[level].shape[:2]
-        return w.bit_length() - 1, h.bit_length() - 1
+        return w, h
+
+    def is_any_size(self):
+        """[R10.28]"""
+        return any(side & (side - 1) or side > 4096 for side in self.sides(0))
+
+
+def wrapped(wrap, index, side):
+    """[R10.9], [R10.30]"""
+    if wrap == Wrap.Repeat:
+        return index % side
+    if wrap == Wrap.MirroredRepeat:
+        folded = index % (2 * side)
+        return np.where(folded < side, folded, 2 * side - 1 - folded)
+    if wrap == Wrap.ClampToBorder:
+        return np.clip(index, -1, side)
+    return np.clip(index, 0, side - 1)
 
 
 class Coordinate:
     """[R9.15] u 2^e of one coordinate at the pixels, and the whole part k [R10.8]."""
 
-    def __init__(self, plane, e, W, x, y, wrap, k, wide_q=None):
+    def __init__(self, plane, e, W, x, y, wrap, k, wide_q=None, any_size=False):
         self.plane, self.e, self.wrap, self.k = plane, e, wrap, k
         self.u = quotient(plane, W, x, y)
         self.wide = None if wide_q is None else plane.at(x, y) / wide_q.at(x, y)
+        self.any_size = any_size or wrap == Wrap.MirroredRepeat
 
-    def position(self, log2_side):
+    def position(self, side):
         """[R10.9] In units of 1/256 texel."""
+        if self.any_size:
+            return self.any_position(side)
+        log2_side = side.bit_length() - 1
         if self.wide is not None:
             return self.wide_position(log2_side + 8)
         limit = np.float32(2.0**30)
         scaled = self.u * np.float32(2.0**(self.e + log2_side + 8))
         p = np.floor(np.minimum(np.maximum(scaled, -limit), limit)).astype(np.int64)
         return p + self.k * 2**(log2_side + 8) if self.wrap != Wrap.Repeat else p
+
+    def any_position(self, side):
+        """[R10.29]"""
+        v = self.u.astype(np.float64) if self.wide is None else self.wide
+        n = np.floor(v * (2.0**self.e * 256 * side))
+        n = np.minimum(np.maximum(n, -2.0**62), 2.0**62).astype(np.int64)
+        if self.wrap == Wrap.Repeat:
+            return n % (256 * side)
+        if self.wrap == Wrap.MirroredRepeat:
+            return (n + self.k % 2 * 256 * side) % (512 * side)
+        return np.clip(n + self.k * 256 * side, -2**30, 2**30)
 
     def wide_position(self, shift):
         """[R10.27]"""
@@ -105,32 +150,55 @@ class Coordinate:
             return p & (2**shift - 1)
         return np.clip(p + self.k * 2**shift, -2**30, 2**30)
 
-    def limited(self, p, log2_side):
+    def limited(self, p, side):
         """[R10.25]"""
-        return np.clip(p, 0, 2**(log2_side + 8)) if self.wrap == Wrap.BorderClamp else p
+        return np.clip(p, 0, 256 * side) if self.wrap == Wrap.BorderClamp else p
 
-    def filtered_index(self, index, log2_side):
+    def filtered_index(self, index, side):
         """[R10.25] -1 and the side are the border."""
-        return index if self.wrap == Wrap.BorderClamp else self.wrapped(index, log2_side)
+        return index if self.wrap == Wrap.BorderClamp else self.wrapped(index, side)
 
-    def wrapped(self, index, log2_side):
-        if self.wrap == Wrap.Repeat:
-            return index & (2**log2_side - 1)
-        return np.clip(index, 0, 2**log2_side - 1)
+    def wrapped(self, index, side):
+        return wrapped(self.wrap, index, side)
+
+
+def repeats(wrap):
+    return wrap in (Wrap.Repeat, Wrap.MirroredRepeat)
 
 
 def whole_part(values, wrap):
     """[R10.8]"""
     k = math.floor(min(values))
-    return clamp(k, -1024, 1023) if wrap != Wrap.Repeat else k
+    return k if repeats(wrap) else clamp(k, -1024, 1023)
+
+
+def power_of_two(v):
+    """[R10.31] F(v)"""
+    ln2 = float.fromhex("0x1.62e42fefa39efp-1")
+    return np.float32(exp(clamp(v, -126.0, 126.0) * ln2))
+
+
+class Lod:
+    """[R10.31] The levels that are used, and what happens to rho."""
+
+    def __init__(self, lod, count):
+        self.base = min(lod.base_level, count - 1)
+        self.last = clamp(lod.max_level, self.base, count - 1)
+        self.scale, self.least, self.greatest = (
+            power_of_two(v) for v in (lod.bias, lod.min, lod.max))
+
+    def of(self, rho):
+        return np.minimum(np.maximum(rho * self.scale, self.least), self.greatest)
 
 
 class TextureStage:
     """Looks one draw's texture up at the pixels of one piece, line or point."""
 
-    def __init__(self, state, profile, texture, projective, border_color):
-        self.border_color = border_color
-        self.state, self.profile, self.texture = state, profile, texture
+    def __init__(self, state, profile, texture, projective):
+        """state: the whole one."""
+        self.border_color = state.border_color
+        self.state, self.profile, self.texture = state.texture, profile, texture
+        self.lod = Lod(state.texture_lod, len(texture.levels))
         self.projective = projective  # [R10.22]
 
     def texels(self, frame, corners, x, y):
@@ -154,17 +222,18 @@ class TextureStage:
         return result
 
     def coordinate(self, denominator, values, wrap, W, x, y):
+        any_size = self.texture.is_any_size()
         if self.projective:
             plane, e = denominator.value(values)
-            return Coordinate(plane, e, W, x, y, wrap, 0)
+            return Coordinate(plane, e, W, x, y, wrap, 0, None, any_size)
         if max(values) - math.floor(min(values)) > 2.0**10:  # [R9.19]
             k = math.floor(min(values))
-            k = k if wrap == Wrap.Repeat else clamp(k, -2**30, 2**30)
+            k = k if repeats(wrap) else clamp(k, -2**30, 2**30)
             plane, e = denominator.value(values, k, 32, 11)
-            return Coordinate(plane, e, W, x, y, wrap, k, denominator.q)
+            return Coordinate(plane, e, W, x, y, wrap, k, denominator.q, any_size)
         k = whole_part(values, wrap)
         plane, e = denominator.value(values, k, 10)
-        return Coordinate(plane, e, W, x, y, wrap, k)
+        return Coordinate(plane, e, W, x, y, wrap, k, None, any_size)
 
     # ---- Filters --------------------------------------------------------------------------
 
@@ -173,33 +242,33 @@ class TextureStage:
         low, mag = self.state.min_filter, self.state.mag_filter
         if (low, mag) in ((MinFilter.Linear, MagFilter.Linear),
                           (MinFilter.Nearest, MagFilter.Nearest)):
-            return self.look_up(0, mag == MagFilter.Linear, s, t)
+            return self.look_up(self.lod.base, mag == MagFilter.Linear, s, t)
         bits = self.rho(s, t, q, W, x, y).view(np.int32).astype(np.int64)
         special = mag == MagFilter.Linear and low in (MinFilter.NearestMipmapNearest,
                                                       MinFilter.NearestMipmapLinear)
         magnified = bits <= (0x3FB504F3 if special else 0x3F800000)
-        result = self.look_up(0, mag == MagFilter.Linear, s, t)
+        result = self.look_up(self.lod.base, mag == MagFilter.Linear, s, t)
         result[~magnified] = self.minified(low, bits, s, t)[~magnified]
         return result
 
     def rho(self, s, t, q, W, x, y):
         """[R10.12]"""
-        log2_w, log2_h = self.texture.log2_sides(0)
-        most = np.maximum(slopes(s.plane, q, x, y) * 2.0**(s.e + log2_w),
-                          slopes(t.plane, q, x, y) * 2.0**(t.e + log2_h))
-        return (most.astype(np.float32) * (W * W)) * np.float32(2.0**-16)
+        w, h = self.texture.sides(self.lod.base)
+        most = np.maximum(slopes(s.plane, q, x, y) * 2.0**s.e * w,
+                          slopes(t.plane, q, x, y) * 2.0**t.e * h)
+        return self.lod.of((most.astype(np.float32) * (W * W)) * np.float32(2.0**-16))
 
     def minified(self, low, bits, s, t):
         """[R10.13]"""
         linear = low in LINEAR_FILTERS
-        last = len(self.texture.levels) - 1
+        base, last = self.lod.base, self.lod.last
         if low in (MinFilter.Nearest, MinFilter.Linear):
-            return self.look_up(0, linear, s, t)
+            return self.look_up(base, linear, s, t)
         if low in (MinFilter.NearestMipmapNearest, MinFilter.LinearMipmapNearest):
-            level = np.clip((bits - 0x3F3504F4) >> 23, 0, last)
+            level = np.clip(base + ((bits - 0x3F3504F4) >> 23), base, last)
             return self.by_level(level, linear, s, t)
-        level = (bits - 0x3F800000) >> 23  # [R10.14]
-        first = np.clip(level, 0, last)
+        level = base + ((bits - 0x3F800000) >> 23)  # [R10.14]
+        first = np.clip(level, base, last)
         a = self.by_level(first, linear, s, t)
         b = self.by_level(np.minimum(first + 1, last), linear, s, t)
         f = BETWEEN_LEVELS[(bits >> 15) & 255][:, None]
@@ -214,16 +283,15 @@ class TextureStage:
 
     def look_up(self, level, linear, s, t):
         """[R10.10], [R10.11]"""
-        image = self.texture.levels[level]
-        log2_w, log2_h = self.texture.log2_sides(level)
-        p, q = s.position(log2_w), t.position(log2_h)
-        if not linear:
-            return image[t.wrapped(q >> 8, log2_h), s.wrapped(p >> 8, log2_w)].copy()
-        p, q = s.limited(p, log2_w) - 128, t.limited(q, log2_h) - 128
-        left, right = (s.filtered_index((p >> 8) + k, log2_w) for k in (0, 1))
-        low, high = (t.filtered_index((q >> 8) + k, log2_h) for k in (0, 1))
-        x, y = (p & 255)[:, None], (q & 255)[:, None]
+        w, h = self.texture.sides(level)
+        p, q = s.position(w), t.position(h)
         around = self.with_border(level)
+        if not linear:
+            return around[t.wrapped(q >> 8, h) + 1, s.wrapped(p >> 8, w) + 1].copy()
+        p, q = s.limited(p, w) - 128, t.limited(q, h) - 128
+        left, right = (s.filtered_index((p >> 8) + k, w) for k in (0, 1))
+        low, high = (t.filtered_index((q >> 8) + k, h) for k in (0, 1))
+        x, y = (p & 255)[:, None], (q & 255)[:, None]
         a, b = around[low + 1, left + 1], around[low + 1, right + 1]
         c, d = around[high + 1, left + 1], around[high + 1, right + 1]
         if self.profile.color_bits == 8:
@@ -253,9 +321,10 @@ class TextureStage:
         return self.compared(s, t, depth)
 
     def compared(self, s, t, depth):
-        log2_w, log2_h = self.texture.log2_sides(0)
-        stored = self.texture.depths[t.wrapped(t.position(log2_h) >> 8, log2_h),
-                                     s.wrapped(s.position(log2_w) >> 8, log2_w)]
+        w, h = self.texture.sides(self.lod.base)
+        around = np.pad(self.texture.depths, 1, constant_values=quantize(
+            self.border_color[0], self.profile.depth_bits))  # [R10.30]
+        stored = around[t.wrapped(t.position(h) >> 8, h) + 1, s.wrapped(s.position(w) >> 8, w) + 1]
         lit = np.where(depth <= stored, one(self.profile.color_bits), 0)
         return np.repeat(lit[:, None], 4, axis=1)
 
@@ -305,8 +374,8 @@ class Place:
     def __init__(self, value, wrap):
         self.value, self.wrap = value, wrap
 
-    def position(self, log2_side):
-        scaled = np.array([np.floor(self.value * 2.0**(log2_side + 8))])
+    def position(self, side):
+        scaled = np.array([np.floor(self.value * (256.0 * side))])
         return to_integer_array(scaled, -2**30, 2**30)
 
 
@@ -316,11 +385,11 @@ def texel_in_place(state, profile, texture, strq):
     if q <= 0:
         return np.full((1, 4), one(profile.color_bits), np.int64)
     lookup = state.texture
-    stage = TextureStage(lookup, profile, texture, False, state.border_color)
+    stage = TextureStage(state, profile, texture, False)
     wrap_t = lookup.wrap_t if texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
     s, t = Place(s / q, lookup.wrap_s), Place(t / q, wrap_t)
     if lookup.shadow_compare:
         bits = profile.depth_bits
         incoming = to_integer_array(np.array([np.floor(r / q * 2.0**bits)]), 0, one(bits))
         return stage.compared(s, t, incoming)
-    return stage.look_up(0, lookup.mag_filter == MagFilter.Linear, s, t)
+    return stage.look_up(stage.lod.base, lookup.mag_filter == MagFilter.Linear, s, t)

@@ -143,9 +143,11 @@ inline constexpr OpenglWord<MagFilter> opengl_words<MagFilter>[] = {
 /// Our Clamp has no border colour: it is OpenGL 1.2's clamp to edge.
 template <>
 inline constexpr OpenglWord<Wrap> opengl_words<Wrap>[] = {
-    {Wrap::Repeat, 0x2901},                                    // GL_REPEAT
-    {Wrap::Clamp, 0x812F},                                     // GL_CLAMP_TO_EDGE
-    {Wrap::BorderClamp, 0x2900, &Extensions::texture_border},  // GL_CLAMP
+    {Wrap::Repeat, 0x2901},                                      // GL_REPEAT
+    {Wrap::Clamp, 0x812F},                                       // GL_CLAMP_TO_EDGE
+    {Wrap::BorderClamp, 0x2900, &Extensions::texture_border},    // GL_CLAMP
+    {Wrap::ClampToBorder, 0x812D, &Extensions::texture_wraps},   // GL_CLAMP_TO_BORDER
+    {Wrap::MirroredRepeat, 0x8370, &Extensions::texture_wraps},  // GL_MIRRORED_REPEAT
 };
 template <>
 inline constexpr OpenglWord<TexEnv> opengl_words<TexEnv>[] = {

@@ -163,13 +163,23 @@ inline constexpr auto fields_of<CoordinateGen> = std::tuple(
     field("plane", &CoordinateGen::plane, "R10.20", "Of linear rules."));
 
 template <>
+inline constexpr auto sentence_of<TextureLodState> = "Extension texture_lod.";
+template <>
+inline constexpr auto fields_of<TextureLodState> = std::tuple(
+    field("base_level", &TextureLodState::base_level, "R10.31", "The first.", within(0, 1000)),
+    field("max_level", &TextureLodState::max_level, "R10.31", "The last.", within(0, 1000)),
+    field("bias", &TextureLodState::bias, "R10.31", "Added to the level of detail."),
+    field("min", &TextureLodState::min, "R10.31", "The least level of detail."),
+    field("max", &TextureLodState::max, "R10.31", "The greatest level of detail."));
+
+template <>
 inline constexpr auto sentence_of<TextureState> = "How texels are used.";
 template <>
 inline constexpr auto fields_of<TextureState> = std::tuple(
     field("min_filter", &TextureState::min_filter, "R10.13", "Minification."),
     field("mag_filter", &TextureState::mag_filter, "R10.13", "Magnification."),
-    field("wrap_s", &TextureState::wrap_s, "R10.9", "Of s.", restricted("extension: BorderClamp")),
-    field("wrap_t", &TextureState::wrap_t, "R10.9", "Of t.", restricted("extension: BorderClamp")),
+    field("wrap_s", &TextureState::wrap_s, "R10.9", "Of s.", restricted("extensions")),
+    field("wrap_t", &TextureState::wrap_t, "R10.9", "Of t.", restricted("extensions")),
     field("env", &TextureState::env, "R10.17", "How a texel changes the colour."),
     field("env_color", &TextureState::env_color, "R10.17", "Of TexEnv.Blend."),
     field("gen", &TextureState::gen, "R10.1", "Generated coordinates."),
@@ -177,9 +187,10 @@ inline constexpr auto fields_of<TextureState> = std::tuple(
     field("eye_linear", &TextureState::eye_linear, "R10.4", "Rows give s, t, r, q."),
     field("coordinates", &TextureState::coordinates, "", "Of PerCoordinate: s, t, r, q."),
     field("matrix", &TextureState::matrix, "R10.21", "Applied to texture coordinates."),
-    field("border_color", &TextureState::border_color, "R10.25", "Of BorderClamp."),
+    field("border_color", &TextureState::border_color, "R10.25", "Of BorderClamp, ClampToBorder."),
     field("shadow_compare", &TextureState::shadow_compare, "R10.18", "1 if r <= texel, else 0.",
-          restricted("extension")));
+          restricted("extension")),
+    field("lod", &TextureState::lod, "", "The levels that are used."));
 
 // ---- Fragments ----------------------------------------------------------------------------------
 

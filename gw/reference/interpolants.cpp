@@ -61,8 +61,8 @@ void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMa
         const auto s = gather_doubles(corners, [](const Corner& c) { return c.texcoord.x; });
         const auto t = gather_doubles(corners, [](const Corner& c) { return c.texcoord.y; });
         v.texture_q = v.q;
-        v.s = perspective_value(texture_numerators(s, w, state.wrap_s == Wrap::Repeat), plane);
-        v.t = perspective_value(texture_numerators(t, w, state.wrap_t == Wrap::Repeat), plane);
+        v.s = perspective_value(texture_numerators(s, w, repeats(state.wrap_s)), plane);
+        v.t = perspective_value(texture_numerators(t, w, repeats(state.wrap_t)), plane);
     }
     const PlaneSlope q = slope_of(v.texture_q, v.slope_x, v.slope_y);
     v.s.slope = coordinate_slope(slope_of(v.s.plane, v.slope_x, v.slope_y), q);

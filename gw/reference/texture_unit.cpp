@@ -1,6 +1,7 @@
 #include "gw/reference/texture_unit.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gw::reference {
@@ -20,23 +21,29 @@ struct Coordinates {
     const Interpolants& values;
     int x, y;
     float w;
+    bool any_size;
 
-    int at(const PerspectiveValue& value, int log2_size, Wrap wrap) const {
-        const bool repeats = wrap == Wrap::Repeat;
-        if (!values.projective && value.exponent > largest_exponent_in_float)
-            return wide_position(value.plane.at(x, y), values.texture_q.at(x, y), value.exponent,
-                                 repeats ? 0 : static_cast<std::int64_t>(value.offset), log2_size,
-                                 repeats);
+    int at(const PerspectiveValue& value, int size, Wrap wrap) const {
+        const bool wide = !values.projective && value.exponent > largest_exponent_in_float;
+        const std::int64_t u = value.plane.at(x, y), q = values.texture_q.at(x, y),
+                           k = added_part(value.offset, wrap);
+        if (any_size || wrap == Wrap::MirroredRepeat)
+            return any_position(wide ? double(u) / double(q) : double(value.at(x, y, w)),
+                                value.exponent, k, size, wrap);
+        const int log2_size = std::countr_zero(unsigned(size));
+        if (wide) return wide_position(u, q, value.exponent, k, log2_size, wrap == Wrap::Repeat);
         return level_coordinate(value, value.at(x, y, w), log2_size, wrap);
     }
 };
 
-/// GL's rho = max(m_u, m_v) in texels of level 0 per pixel.
-float rho_at(const Interpolants& v, const TexelLevel& base, float w, int x, int y) {
+/// GL's rho = max(m_u, m_v) in texels of the base level per pixel, with bias and limits.
+float rho_at(const Interpolants& v, const TexelLevel& base, const Resolved& r, float w, int x,
+             int y) {
     const int dx = x - v.slope_x, dy = y - v.slope_y;
-    const double s = std::ldexp(v.s.slope.at(dx, dy), v.s.exponent + base.log2_width);
-    const double t = std::ldexp(v.t.slope.at(dx, dy), v.t.exponent + base.log2_height);
-    return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+    const double s = std::ldexp(v.s.slope.at(dx, dy), v.s.exponent) * base.width;
+    const double t = std::ldexp(v.t.slope.at(dx, dy), v.t.exponent) * base.height;
+    const float rho = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+    return std::min(std::max(rho * r.rho_scale, r.least_rho), r.greatest_rho);
 }
 
 Rgba grey(std::uint32_t v) {
@@ -45,16 +52,16 @@ Rgba grey(std::uint32_t v) {
 }
 
 /// Whether r <= the depth of the nearest texel.
-bool is_lit(const Coordinates& at, const Texels& texels, const TextureState& s, int depth_bits) {
+bool is_lit(const Coordinates& at, const Texels& texels, const TexelLevel& level, const Resolved& r,
+            int depth_bits) {
     const Interpolants& v = at.values;
-    const TexelLevel& level = texels.levels[0];
-    const int i = at.at(v.s, level.log2_width, s.wrap_s) >> 8;
-    const int j = at.at(v.t, level.log2_height, s.wrap_t) >> 8;
-    const double r = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + depth_bits);
-    const auto incoming = to_integer(std::floor(r), 0, max_of_bits(depth_bits));
-    const auto index =
-        wrap_index(s.wrap_t, j, level.height) * level.width + wrap_index(s.wrap_s, i, level.width);
-    return incoming <= texels.depths[std::size_t(index)];
+    const TextureState& s = r.state.texture;
+    const int i = at.at(v.s, level.width, s.wrap_s) >> 8;
+    const int j = at.at(v.t, level.height, s.wrap_t) >> 8;
+    const double depth = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + depth_bits);
+    return to_integer(std::floor(depth), 0, max_of_bits(depth_bits)) <=
+           nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j,
+                         r.border_depth);
 }
 
 }  // namespace
@@ -65,18 +72,20 @@ Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, in
     const std::uint32_t one = max_of_bits(texels.bits);
     if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
     const float w = reciprocal(v.texture_q, x, y);
-    const Coordinates at{v, x, y, w};
-    if (s.shadow_compare) return grey(is_lit(at, texels, s, depth_bits) ? one : 0);
+    const Coordinates at{v, x, y, w, texels.any_size};
+    const int base = level_range(s, int(texels.levels.size())).base;
+    const TexelLevel& first = texels.levels[std::size_t(base)];
+    if (s.shadow_compare) return grey(is_lit(at, texels, first, r, depth_bits) ? one : 0);
 
-    LevelChoice choice{.magnify = true};
+    LevelChoice choice{.magnify = true, .level = base};
     if (needs_rho(s))
-        choice = choose_level(s, rho_at(v, texels.levels[0], w, x, y), int(texels.levels.size()));
+        choice = choose_level(s, rho_at(v, first, r, w, x, y), int(texels.levels.size()));
 
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];
         return lookup(texels, level, is_linear(s, choice.magnify),
-                      addressing(s, texels, r.border_color), at.at(v.s, level.log2_width, s.wrap_s),
-                      at.at(v.t, level.log2_height, s.wrap_t));
+                      addressing(s, texels, r.border_color), at.at(v.s, level.width, s.wrap_s),
+                      at.at(v.t, level.height, s.wrap_t));
     };
     if (choice.weight == 0) return sample(choice.level);
     return between_levels(sample(choice.level), sample(choice.next), choice.weight);

@@ -76,6 +76,24 @@ int wide_position(std::int64_t u, std::int64_t q, int exponent, std::int64_t k, 
     return static_cast<int>(std::clamp(p + k * (std::int64_t{1} << shift), -limit, limit));
 }
 
+std::int64_t added_part(double k, Wrap wrap) {
+    if (wrap == Wrap::Repeat) return 0;
+    if (wrap == Wrap::MirroredRepeat) return std::fmod(k, 2.0) != 0 ? 1 : 0;
+    return static_cast<std::int64_t>(k);
+}
+
+int any_position(double quotient, int exponent, std::int64_t k, int size, Wrap wrap) {
+    constexpr std::int64_t limit = std::int64_t{1} << 30;
+    constexpr double largest = 4611686018427387904.0;  // 2^62
+    const std::int64_t texels = 256 * std::int64_t{size};
+    const auto n = static_cast<std::int64_t>(
+        bounded(std::floor(quotient * std::ldexp(double(texels), exponent)), largest));
+    const auto modulo = [](std::int64_t v, std::int64_t m) { return int((v % m + m) % m); };
+    if (wrap == Wrap::Repeat) return modulo(n, texels);
+    if (wrap == Wrap::MirroredRepeat) return modulo(n + k * texels, 2 * texels);
+    return static_cast<int>(std::clamp(n + k * texels, -limit, limit));
+}
+
 Projective projective(std::span<const dvec4> strq, std::span<const double> w) {
     double h = 0;
     for (std::size_t i = 0; i < w.size(); ++i) h = std::max(h, std::abs(strq[i].w / w[i]));

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "gw/base/types.h"
+#include "gw/state.h"
 
 #include <array>
 #include <cstdint>
@@ -34,6 +35,11 @@ bool is_wide(double least, double greatest);
 /// level whose side is 2^log2_size.
 int wide_position(std::int64_t u, std::int64_t q, int exponent, std::int64_t k, int log2_size,
                   bool repeats);
+/// The integer part that a wrap adds to a coordinate above it: none, its parity, or all.
+std::int64_t added_part(double k, Wrap wrap);
+/// Texel position on a level of `size` texels, for any size and for MirroredRepeat (R10.29). The
+/// quotient is u, of a wide coordinate U / Q.
+int any_position(double quotient, int exponent, std::int64_t k, int size, Wrap wrap);
 
 /// The fog coordinate's numerators; it is clamped to 2^40 fog tables.
 inline constexpr int largest_fog_exponent = 40;

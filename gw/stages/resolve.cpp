@@ -1,6 +1,7 @@
 #include "gw/stages/resolve.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/elementary.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
 
@@ -32,6 +33,12 @@ StencilFace stencil_face(const StencilFace& face, bool test, std::uint32_t max) 
     out.mask &= max;
     out.write_mask &= max;
     return out;
+}
+
+/// Limited to normal numbers.
+float two_to_the(float v) {
+    constexpr double ln2 = 0x1.62e42fefa39efp-1;
+    return v == 0 ? 1.0f : static_cast<float>(exp(bounded(double(v), 126) * ln2));
 }
 
 ViewportTransform viewport_transform(const Rect& v) {
@@ -67,6 +74,10 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.env_color = quantize_color(state.texture.env_color, r.bits);
     r.blend_color = quantize_color(state.blend.color, r.bits);
     r.border_color = quantize_color(state.texture.border_color, r.bits);
+    r.border_depth = quantize(state.texture.border_color.x, profile.depth_bits);
+    r.rho_scale = two_to_the(state.texture.lod.bias);
+    r.least_rho = two_to_the(state.texture.lod.min);
+    r.greatest_rho = two_to_the(state.texture.lod.max);
     if (state.logic_op.enable) r.state.blend.enable = false;
     if (state.draw_buffer == DrawBuffer::None) r.state.color_mask = {false, false, false, false};
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);

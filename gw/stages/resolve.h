@@ -25,6 +25,9 @@ struct Resolved {
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
     Rgba fog_color{}, env_color{}, blend_color{}, border_color{};
+    /// texture.lod: the scale factor of texels is multiplied, then clamped
+    float rho_scale = 1, least_rho = 0, greatest_rho = 0;
+    std::uint32_t border_depth = 0;  ///< the border of depths
     bool fragment_fog = false;
     bool writes_color = true;  ///< the colour mask is set for at least one channel
     /// as given: for clears and pixel rectangles, which no depth test guards

@@ -97,6 +97,7 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
 }
 
 TexelLevel& Texels::add_level(int width, int height) {
+    if (levels.empty()) any_size = is_any_size(width, height);
     const std::size_t first = std::max(packed.size(), wide.size()),
                       end = first + std::size_t(width) * std::size_t(height);
     if (bits == 8)
@@ -164,22 +165,37 @@ int filter_index(Wrap wrap, int i, int size) {
 
 }  // namespace
 
-Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
-                  int j) {
-    i = filter_index(how.wrap_s, i, level.width);
-    j = filter_index(how.wrap_t, j, level.height);
-    const bool outside = i < 0 || i >= level.width || j < 0 || j >= level.height;
-    if (!outside) return texels.at(level, i, j);
+static bool is_outside(const TexelLevel& level, int i, int j) {
+    return i < 0 || i >= level.width || j < 0 || j >= level.height;
+}
+
+/// Of wrapped indices.
+static Rgba texel_or_border(const Texels& texels, const TexelLevel& level, const Addressing& how,
+                            int i, int j) {
+    if (!is_outside(level, i, j)) return texels.at(level, i, j);
     return level.bordered.empty() ? how.border_color
                                   : level.bordered[pixel_index(i + 1, j + 1, level.width + 2)];
+}
+
+Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
+                  int j) {
+    return texel_or_border(texels, level, how, filter_index(how.wrap_s, i, level.width),
+                           filter_index(how.wrap_t, j, level.height));
+}
+
+std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
+                            int i, int j, std::uint32_t border) {
+    i = wrap_index(how.wrap_s, i, level.width);
+    j = wrap_index(how.wrap_t, j, level.height);
+    return is_outside(level, i, j) ? border : texels.depths[level.index(i, j)];
 }
 
 Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,
             int u, int v) {
     const Wrap wrap_s = how.wrap_s, wrap_t = how.wrap_t;
     if (!linear)
-        return texels.at(level, wrap_index(wrap_s, u >> 8, level.width),
-                         wrap_index(wrap_t, v >> 8, level.height));
+        return texel_or_border(texels, level, how, wrap_index(wrap_s, u >> 8, level.width),
+                               wrap_index(wrap_t, v >> 8, level.height));
     // to the lower left of the four centres
     const int us = clamped(wrap_s, u, level.width) - 128,
               vs = clamped(wrap_t, v, level.height) - 128;
@@ -206,18 +222,18 @@ LevelChoice choose_level(const TextureState& s, float rho, int level_count) {
     const bool later =
         s.mag_filter == MagFilter::Linear && (s.min_filter == MinFilter::NearestMipmapNearest ||
                                               s.min_filter == MinFilter::NearestMipmapLinear);
-    if (bits <= (later ? root_two_bits : one_bits)) return {.magnify = true};
+    const auto [base, last] = level_range(s, level_count);
+    if (bits <= (later ? root_two_bits : one_bits)) return {.magnify = true, .level = base};
 
-    const int last = level_count - 1;
     const auto level_from = [&](std::uint32_t origin) {
-        return (std::int32_t(bits) - std::int32_t(origin)) >> 23;
+        return base + ((std::int32_t(bits) - std::int32_t(origin)) >> 23);
     };
     switch (s.min_filter) {
         case MinFilter::Nearest:
-        case MinFilter::Linear: return {};
+        case MinFilter::Linear: return {.level = base};
         case MinFilter::NearestMipmapNearest:
         case MinFilter::LinearMipmapNearest: {
-            const int level = std::clamp(level_from(root_half_bits), 0, last);
+            const int level = std::clamp(level_from(root_half_bits), base, last);
             return {.level = level, .next = level};
         }
         case MinFilter::NearestMipmapLinear:

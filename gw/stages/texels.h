@@ -13,8 +13,9 @@
 namespace gw {
 
 struct TexelLevel {
-    int width = 1, height = 1, log2_width = 0, log2_height = 0;
-    std::size_t first = 0;  ///< its first texel, among those of all levels
+    int width = 1, height = 1;
+    int log2_width = 0, log2_height = 0;  ///< of sides that are powers of two
+    std::size_t first = 0;                ///< its first texel, among those of all levels
     /// its texels with the border around them, (width + 2) (height + 2); empty: there is none
     std::vector<Rgba> bordered;
     std::size_t index(int i, int j) const { return first + pixel_index(i, j, width); }
@@ -25,6 +26,7 @@ struct Texels {
     int bits = 8;
     TextureFormat format = TextureFormat::RGBA;
     int dimensions = 2;
+    bool any_size = false;  ///< is_any_size() of level 0
     std::vector<TexelLevel> levels;
     std::vector<std::uint32_t> packed;  ///< all levels' texels if bits == 8: packed()
     std::vector<Rgba> wide;             ///< else
@@ -49,9 +51,22 @@ Texels make_texels(const Texture& texture, int bits, int texel_bits);
 /// Takes a part over from a texture with the same levels.
 void update_texels(Texels& texels, const Texture& texture, const TexturePart& part, int texel_bits);
 
-/// A texel index folded into 0 .. size - 1.
+/// i modulo n, 0 .. n - 1.
+constexpr int modulo(int i, int n) { return (n & (n - 1)) == 0 ? i & (n - 1) : (i % n + n) % n; }
+
+/// A texel index folded into 0 .. size - 1, under ClampToBorder into -1 .. size.
 constexpr int wrap_index(Wrap wrap, int i, int size) {
-    return wrap == Wrap::Repeat ? i & (size - 1) : i < 0 ? 0 : i < size ? i : size - 1;
+    switch (wrap) {
+        case Wrap::Repeat: return modulo(i, size);
+        case Wrap::Clamp:
+        case Wrap::BorderClamp: return i < 0 ? 0 : i < size ? i : size - 1;
+        case Wrap::ClampToBorder: return i < 0 ? -1 : i < size ? i : size;
+        case Wrap::MirroredRepeat: {
+            const int folded = modulo(i, 2 * size);
+            return folded < size ? folded : 2 * size - 1 - folded;
+        }
+    }
+    return 0;
 }
 
 /// Bilinear mean of a b (lower row) and c d (upper row), weights wx, wy in 0 .. 255 of 256.
@@ -82,12 +97,25 @@ Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Ad
 Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
                   int j);
 
+/// The depth at texel (i, j) of a level that has depths; `border` outside of it.
+std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
+                            int i, int j, std::uint32_t border);
+
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);
 
 /// Fractions of a level in 256ths by the high 8 bits i of rho's mantissa: round(256 log2(1 + i /
 /// 256)), at most 255.
 const std::array<std::uint32_t, 256>& mantissa_levels();
+
+/// The levels of texture.lod that are there.
+struct LevelRange {
+    int base, last;
+};
+constexpr LevelRange level_range(const TextureState& s, int level_count) {
+    const int end = level_count - 1, base = s.lod.base_level < end ? s.lod.base_level : end;
+    return {base, s.lod.max_level < base ? base : s.lod.max_level < end ? s.lod.max_level : end};
+}
 
 /// The levels for the scale factor rho (texels per pixel, >= 0). [GL11] 3.8.1
 struct LevelChoice {
@@ -105,7 +133,13 @@ constexpr bool is_linear(const TextureState& s, bool magnify) {
            s.min_filter == MinFilter::LinearMipmapLinear;
 }
 
-/// Whether a look-up may reach the border.
+/// Whether wraps and levels are those of OpenGL 1.1.
+constexpr bool is_plain_lookup(const TextureState& s) {
+    return s.wrap_s <= Wrap::BorderClamp && s.wrap_t <= Wrap::BorderClamp &&
+           s.lod == TextureLodState{};
+}
+
+/// Whether a filter of OpenGL 1.1 may reach the border.
 constexpr bool reaches_border(const TextureState& s) {
     return (s.wrap_s == Wrap::BorderClamp || s.wrap_t == Wrap::BorderClamp) &&
            (is_linear(s, false) || is_linear(s, true));

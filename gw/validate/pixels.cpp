@@ -91,10 +91,13 @@ void check(const Checker& c, const CopyTexture& copy) {
     c.require(copy.slot < 256, "slot", copy.slot, "0 to 255");
     c.require(copy.plane == Plane::Color || copy.plane == Plane::Depth, "plane", int(copy.plane),
               "Color or Depth");
-    c.require(std::has_single_bit(unsigned(copy.rect.width)), "rect.width", copy.rect.width,
-              "a power of two");
-    c.require(std::has_single_bit(unsigned(copy.rect.height)), "rect.height", copy.rect.height,
-              "a power of two");
+    const bool any = c.profile.extensions.texture_sizes;
+    const auto fits = [&](int side) {
+        return any ? side > 0 : std::has_single_bit(unsigned(side));
+    };
+    const char* const expected = any ? "1 or more" : "a power of two";
+    c.require(fits(copy.rect.width), "rect.width", copy.rect.width, expected);
+    c.require(fits(copy.rect.height), "rect.height", copy.rect.height, expected);
 }
 
 void check(const Checker& c, const Read& read) {

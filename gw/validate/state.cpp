@@ -41,6 +41,7 @@ void check_extensions(const Checker& c, const State& s) {
     c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
     check_word(c, s.texture.wrap_s);
     check_word(c, s.texture.wrap_t);
+    c.extension(s.texture.lod != TextureLodState{}, e.texture_lod, "texture_lod");
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
                 "antialiasing");

@@ -1,6 +1,7 @@
 // gw's `validate` for every list, and the memory that a machine would need.
 #include "inspect/recording/check_lists.h"
 
+#include "gw/describe/enumerators.h"
 #include "gw/error.h"
 #include "gw/machine.h"
 #include "gw/stages/texels.h"
@@ -31,16 +32,18 @@ public:
     void add(const Draw& d) {
         if (!d.map.slot || !(is_linear(texture_, false) || is_linear(texture_, true))) return;
         Slot& slot = slots_[*d.map.slot];
-        bool& paired = slot.paired[std::size_t(texture_.wrap_s) * 2 + std::size_t(texture_.wrap_t)];
+        bool& paired =
+            slot.paired[std::size_t(texture_.wrap_s) * wraps + std::size_t(texture_.wrap_t)];
         if (!paired) keep(slot.bytes, slot.bytes + 8 * slot.area);
         paired = true;
     }
     void add(const auto&) {}
 
 private:
+    static constexpr std::size_t wraps = count_of<Wrap>;
     struct Slot {
         std::uint64_t area = 0, bytes = 0;
-        std::array<bool, 4> paired{};
+        std::array<bool, wraps * wraps> paired{};
     };
     void keep(std::uint64_t& stored, std::uint64_t bytes) {
         total_ += bytes - stored;

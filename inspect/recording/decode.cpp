@@ -67,7 +67,8 @@ Profile from_file(const gwt::Profile& p) {
         .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
                        p.two_sided_stencil(), p.texture_border(), p.texture_formats(), p.stipple(),
                        p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(), p.blend_minmax(),
-                       p.blend_subtract(), p.draw_pixels(), p.blend_separate(), p.blend_square()}};
+                       p.blend_subtract(), p.draw_pixels(), p.blend_separate(), p.blend_square(),
+                       p.texture_sizes(), p.texture_wraps(), p.texture_lod()}};
 }
 
 class Decoder {
@@ -187,13 +188,13 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
 
 TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::uint8_t>& texels8,
                                   const std::vector<std::uint16_t>& texels16) {
-    constexpr int most_levels = 13;  // of 4096 texels
+    constexpr int most_levels = 14;  // of 8192 texels
     if (t.level_count() < 1 || t.level_count() > most_levels)
         throw Error(fmt::format("{} levels; expected 1 to {}", t.level_count(), most_levels));
     for (const int side : {t.width(), t.height()})
-        if (side < 1 || side > max_texture_size)
+        if (side < 1 || side > max_texture_side)
             throw Error(fmt::format("{} x {} texels; expected sides of 1 to {}", t.width(),
-                                    t.height(), max_texture_size));
+                                    t.height(), max_texture_side));
     Texture texture{.name = text(t.name()),
                     .format = our_enum<TextureFormat>(t.format()),
                     .dimensions = t.dimensions(),
@@ -230,12 +231,11 @@ TextureRef Decoder::texture(const gwt::Texture& t) {
         throw Error(
             "a format, one dimension or a border without given levels; expected level_count 1 "
             "or more");
-    for (const int side : {t.width(), t.height()})
-        if (side < 1 || (side & (side - 1)) != 0)
-            throw Error(
-                fmt::format("{} x {} texels; expected powers of two", t.width(), t.height()));
-    return texels16.empty() ? make_texture8(text(t.name()), t.width(), t.height(), texels8)
-                            : make_texture(text(t.name()), t.width(), t.height(), texels16);
+    if (!texels16.empty())
+        return make_whole_texture(text(t.name()), t.width(), t.height(), texels16);
+    std::vector<std::uint16_t> wide;
+    for (const std::uint8_t v : texels8) wide.push_back(static_cast<std::uint16_t>(257 * v));
+    return make_whole_texture(text(t.name()), t.width(), t.height(), wide);
 }
 
 Command Decoder::command(const gwt::Draw& c) {

@@ -104,6 +104,8 @@ auto& ours(OurState& s) {
         return s.blend.color;
     else if constexpr (name == "blend_alpha")
         return s.blend.alpha;
+    else if constexpr (name == "texture_lod")
+        return s.texture.lod;
     else if constexpr (name == "color_material")
         return s.lighting.color_material;
     else if constexpr (name == "coordinates")
@@ -250,8 +252,8 @@ void read_member(const gwt::State& f, State& s) {
 bool has_enumerator_of_version_2(const State& s) {
     const auto is_constant = [](BlendFactor f) { return f >= BlendFactor::ConstantColor; };
     return is_constant(s.blend.src) || is_constant(s.blend.dst) ||
-           s.texture.gen == TexGen::PerCoordinate || s.texture.wrap_s == Wrap::BorderClamp ||
-           s.texture.wrap_t == Wrap::BorderClamp;
+           s.texture.gen == TexGen::PerCoordinate || s.texture.wrap_s >= Wrap::BorderClamp ||
+           s.texture.wrap_t >= Wrap::BorderClamp;
 }
 
 constexpr bool is_of_version_2(std::size_t place) {

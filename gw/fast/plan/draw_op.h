@@ -41,6 +41,7 @@ struct DrawOp {
     bool perspective_color = false;  ///< smooth, not uniform, and the profile divides colours
     bool projective = false;         ///< texture coordinates are divided by q
     bool wide_texcoords = false;     ///< of some primitives (R9.19)
+    bool by_pixel = false;           ///< its texture is looked up pixel by pixel
     int visible_record = -1;         ///< the record that it makes or uses; -1: none
     bool counts_by_pixel = false;    ///< its record counts each pixel's fragments
     FragmentBytes bytes;
@@ -54,12 +55,12 @@ inline bool needs_depth(const DrawOp& op) {
 inline UniformPlanes touched_planes(const DrawOp& op) {
     return {op.state.writes_color, needs_depth(op)};
 }
-/// Whether a texture is looked up pixel by pixel: projective or wide coordinates, the shadow
-/// comparison, and borders in more than 8 bits.
-inline bool textures_by_pixel(const DrawOp& op) {
-    return op.projective || op.wide_texcoords || op.state.state.texture.shadow_compare ||
-           (!op.pairs && reaches_border(op.state.state.texture));
+/// Whether a texture is looked up pixel by pixel, whatever its coordinates: the shadow comparison,
+/// sizes and levels by rules of their own.
+inline bool has_rare_lookup(const TextureState& s, const Texels& texels) {
+    return s.shadow_compare || texels.any_size || !is_plain_lookup(s);
 }
+inline bool textures_by_pixel(const DrawOp& op) { return op.by_pixel; }
 
 }  // namespace fast
 }  // namespace gw

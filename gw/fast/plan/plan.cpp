@@ -161,7 +161,7 @@ struct Planner {
             const TextureState& t = state.texture;
             op.texels = found;
             op.projective = divides_by_q(t, first);
-            const bool one_by_one = op.projective || t.shadow_compare;
+            const bool one_by_one = op.projective || has_rare_lookup(t, found->texels);
             if (!one_by_one && (is_linear(t, false) || is_linear(t, true)))
                 op.pairs = texel_pairs(*found, addressing(t, found->texels, op.state.border_color));
             op.texcoords = texcoords_of(inputs);
@@ -263,6 +263,11 @@ struct Planner {
         op.uniform_color = op.colors && op.colors->is_uniform(*op.group);
         op.perspective_color &= !op.uniform_color;
         op.wide_texcoords = op.texcoords && op.texcoords->are_wide && !op.projective;
+        // Borders in more than 8 bits have no pairs.
+        const TextureState& texture = op.state.state.texture;
+        op.by_pixel = op.texels && (op.projective || op.wide_texcoords ||
+                                    has_rare_lookup(texture, op.texels->texels) ||
+                                    (!op.pairs && reaches_border(texture)));
         machine.passes[pass].counters += op.group->counters();
     }
 };

@@ -102,11 +102,11 @@ struct Maker {
     }
 
     static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
-        return {plane, n.exponent, wrap == Wrap::Repeat ? 0 : std::int32_t(n.offset), {}};
+        return {plane, n.exponent, std::int32_t(added_part(n.offset, wrap)), {}};
     }
     Numerators coordinate(int c, Wrap wrap) const {
         const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
-        return texture_numerators(used(s), used(w()), wrap == Wrap::Repeat);
+        return texture_numerators(used(s), used(w()), repeats(wrap));
     }
 
     void texture(TexturePlanes& out) const {

@@ -213,7 +213,9 @@ struct Denominators {};
 inline void set_up_textures(const TileDraw& draw, const Corners& t,
                             [[maybe_unused]] Denominators& shared, TexturePlanes* out) {
 #if HWY_HAVE_FLOAT64
-    if (!draw.op->projective && !draw.op->wide_texcoords)
+    const TextureState& s = draw.op->state.state.texture;
+    const bool mirrors = s.wrap_s == Wrap::MirroredRepeat || s.wrap_t == Wrap::MirroredRepeat;
+    if (!draw.op->projective && !draw.op->wide_texcoords && !mirrors)
         return set_up_perspective(draw, t, shared, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);

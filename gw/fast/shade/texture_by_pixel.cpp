@@ -1,5 +1,5 @@
-// Texturing lane by lane, for lanes that may differ in level: mipmaps, projective and wide
-// coordinates, shadow comparison. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h
+// Texturing lane by lane: projective and wide coordinates, shadow comparison, textures of any size,
+// wraps and levels beyond OpenGL 1.1. docs/manual.md, "Textures". Shares the integer filters of gw/stages/texels.h
 // with the reference machine.
 #include "gw/fast/raster/primitive.h"
 
@@ -42,10 +42,14 @@ struct PixelSampler {
     float over_q(const TexturePlane& t) const {
         return static_cast<float>(value_at(t.plane, i, j)) * w;
     }
-    int position(const TexturePlane& t, int log2_size, Wrap wrap) const {
-        if (!draw.op->projective && t.exponent > largest_exponent_in_float)
-            return wide_position(value_at(t.plane, i, j), q, t.exponent, t.k, log2_size,
-                                 wrap == Wrap::Repeat);
+    int position(const TexturePlane& t, int size, Wrap wrap) const {
+        const bool wide = !draw.op->projective && t.exponent > largest_exponent_in_float;
+        const auto u = [&] { return value_at(t.plane, i, j); };
+        if (texels.any_size || wrap == Wrap::MirroredRepeat)
+            return any_position(wide ? double(u()) / double(q) : double(over_q(t)), t.exponent, t.k,
+                                size, wrap);
+        const int log2_size = std::countr_zero(unsigned(size));
+        if (wide) return wide_position(u(), q, t.exponent, t.k, log2_size, wrap == Wrap::Repeat);
         return level_coordinate(t, over_q(t), log2_size);
     }
 
@@ -54,31 +58,34 @@ struct PixelSampler {
         return {c, c, c, c};
     }
 
+    const Resolved& resolved() const { return draw.op->state; }
+    Addressing how() const { return addressing(state, texels, resolved().border_color); }
+    int base_level() const { return level_range(state, int(texels.levels.size())).base; }
+
     bool is_lit() const {
-        const TexelLevel& level = texels.levels[0];
+        const TexelLevel& level = texels.levels[std::size_t(base_level())];
         const int bits = draw.profile->depth_bits;
-        const int u = position(p.s, level.log2_width, state.wrap_s) >> 8;
-        const int v = position(p.t, level.log2_height, state.wrap_t) >> 8;
+        const int u = position(p.s, level.width, state.wrap_s) >> 8;
+        const int v = position(p.t, level.height, state.wrap_t) >> 8;
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
-        const auto incoming = to_integer(std::floor(r), 0, max_of_bits(bits));
-        const int index = wrap_index(state.wrap_t, v, level.height) * level.width +
-                          wrap_index(state.wrap_s, u, level.width);
-        return incoming <= texels.depths[std::size_t(index)];
+        return to_integer(std::floor(r), 0, max_of_bits(bits)) <=
+               nearest_depth(texels, level, how(), u, v, resolved().border_depth);
     }
 
     float rho() const {
         const int dx = draw.tile.x + i - p.slope_x, dy = draw.tile.y + j - p.slope_y;
-        const TexelLevel& base = texels.levels[0];
-        const double s = std::ldexp(p.s.slope.at(dx, dy), p.s.exponent + base.log2_width);
-        const double t = std::ldexp(p.t.slope.at(dx, dy), p.t.exponent + base.log2_height);
-        return (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+        const TexelLevel& base = texels.levels[std::size_t(base_level())];
+        const double s = std::ldexp(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
+        const double t = std::ldexp(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
+        const float found = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+        const Resolved& r = resolved();
+        return std::min(std::max(found * r.rho_scale, r.least_rho), r.greatest_rho);
     }
 
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
-        return lookup(texels, level, linear, addressing(state, texels, draw.op->state.border_color),
-                      position(p.s, level.log2_width, state.wrap_s),
-                      position(p.t, level.log2_height, state.wrap_t));
+        return lookup(texels, level, linear, how(), position(p.s, level.width, state.wrap_s),
+                      position(p.t, level.height, state.wrap_t));
     }
 
     Rgba texel() {
@@ -86,7 +93,7 @@ struct PixelSampler {
         if (draw.op->projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());
-        LevelChoice choice{.magnify = true};
+        LevelChoice choice{.magnify = true, .level = base_level()};
         if (needs_rho(state)) choice = choose_level(state, rho(), int(texels.levels.size()));
         const Rgba first = sample(choice.level, is_linear(state, choice.magnify));
         if (choice.weight == 0) return first;

@@ -35,10 +35,10 @@ Zoomed zoomed(double start, double zoom, int count, int box_first, int box_size)
     return z;
 }
 
-/// A coordinate in 1/256 texel of level 0.
-int texel_position(double coordinate, int log2_size) {
+/// A coordinate in 1/256 texel of a level.
+int texel_position(double coordinate, int size) {
     constexpr double largest = 1 << 30;
-    return int(to_integer(std::floor(std::ldexp(coordinate, log2_size + 8)), -largest, largest));
+    return int(to_integer(std::floor(coordinate * (256.0 * size)), -largest, largest));
 }
 
 Rgba grey_texel(std::uint32_t v) {
@@ -51,17 +51,17 @@ Rgba raster_texel(const vec4& strq, const Texels& texels, const Resolved& r, int
     const std::uint32_t one = max_of_bits(texels.bits);
     const double q = strq.w;
     if (q <= 0) return grey_texel(one);
-    const TexelLevel& level = texels.levels.front();
-    const int u = texel_position(strq.x / q, level.log2_width),
-              v = texel_position(strq.y / q, level.log2_height);
+    const int base = level_range(r.state.texture, int(texels.levels.size())).base;
+    const TexelLevel& level = texels.levels[std::size_t(base)];
+    const int u = texel_position(strq.x / q, level.width),
+              v = texel_position(strq.y / q, level.height);
     const Addressing how = addressing(r.state.texture, texels, r.border_color);
     if (!r.state.texture.shadow_compare)
         return lookup(texels, level, is_linear(r.state.texture, true), how, u, v);
     const auto incoming =
         to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits));
-    const int i = wrap_index(how.wrap_s, u >> 8, level.width),
-              j = wrap_index(how.wrap_t, v >> 8, level.height);
-    return grey_texel(incoming <= texels.depths[pixel_index(i, j, level.width)] ? one : 0);
+    const std::uint32_t stored = nearest_depth(texels, level, how, u >> 8, v >> 8, r.border_depth);
+    return grey_texel(incoming <= stored ? one : 0);
 }
 
 }  // namespace

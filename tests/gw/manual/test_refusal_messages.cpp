@@ -140,6 +140,18 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.texture.coordinates[2].plane.w = nan; });
     add([](State& s) { s.texture.matrix[1][0] = infinity; });
     add([](State& s) { s.texture.border_color.w = nan; });
+    for (float TextureLodState::*member :
+         {&TextureLodState::bias, &TextureLodState::min, &TextureLodState::max}) {
+        SetState set;
+        set.state.edit().texture.lod.*member = nan;
+        out.push_back(refusal({set}, opengl()));
+    }
+    for (int TextureLodState::*member :
+         {&TextureLodState::base_level, &TextureLodState::max_level}) {
+        SetState set;
+        set.state.edit().texture.lod.*member = 1001;
+        out.push_back(refusal({set}, opengl()));
+    }
     return out;
 }
 
@@ -217,6 +229,8 @@ std::vector<std::string> refused_pixel_commands() {
         refusal({CopyTexture{0, Plane::Stencil, {0, 0, 1, 1}}}),
         refusal({CopyTexture{0, Plane::Color, {0, 0, 3, 1}}}),
         refusal({CopyTexture{0, Plane::Color, {0, 0, 1, 0}}}),
+        refusal({CopyTexture{0, Plane::Color, {0, 0, 0, 1}}}, opengl()),
+        refusal({CopyTexture{0, Plane::Color, {0, 0, 3, 0}}}, opengl()),
         refusal({Read{0, Plane::Depth, {0, 0, 1, 1}, true}}),
         refusal({Read{0, Plane::Color, {0, 0, 1, 1}, true}}, reality()),
         refusal({Accumulate{AccumOp::Accum, infinity}}),
@@ -336,6 +350,7 @@ std::vector<std::string> refused_values() {
         }),
         given([](Texture& t) { t.format = TextureFormat(6); }),
         given([](Texture& t) { t.levels[0].width = 3; }),
+        given([](Texture& t) { t.levels[0].height = 8193; }),
         given([](Texture& t) {
             t.levels.push_back({2, 1, std::vector<std::uint16_t>(8)});
         }),

@@ -139,6 +139,138 @@ TEST(ManualTexture, WideCoordinates) {
         EXPECT_EQ(wide_red(x, -5077.525f, 4922.475f, Wrap::Clamp), texel) << x;
 }
 
+TextureRef whole(const std::vector<int>& reds, int width, int height) {
+    std::vector<std::uint16_t> rgba;
+    for (const int red : reds)
+        for (const int c : {red, 0, 0, 255}) rgba.push_back(static_cast<std::uint16_t>(257 * c));
+    return make_whole_texture("whole", width, height, rgba);
+}
+
+std::vector<int> reds(const TextureLevel& level) {
+    std::vector<int> out;
+    for (std::size_t i = 0; i < level.rgba.size(); i += 4) out.push_back(level.rgba[i] / 257);
+    return out;
+}
+
+// [R10.28]
+TEST(ManualTexture, LevelsOfOddSides) {
+    const TextureRef five = whole({0, 60, 120, 180, 240}, 5, 1);
+    ASSERT_EQ(five->levels.size(), 3u);
+    EXPECT_EQ(reds(five->levels[1]), (std::vector<int>{48, 192}));
+    EXPECT_EQ(reds(five->levels[2]), (std::vector<int>{120}));
+    // 3 x 2: weights 1, 1, 1 along x. 3 x 3 to 1 x 1 is the mean of nine.
+    EXPECT_EQ(reds(whole({0, 30, 60, 60, 90, 120}, 3, 2)->levels[1]), (std::vector<int>{60}));
+    EXPECT_EQ(reds(whole({9, 0, 0, 0, 0, 0, 0, 0, 18}, 3, 3)->levels[1]), (std::vector<int>{3}));
+    // 7 to 3: weights 3 3 1, 2 3 2, 1 3 3.
+    EXPECT_EQ(reds(whole({0, 0, 70, 70, 0, 0, 7}, 7, 1)->levels[1]), (std::vector<int>{10, 50, 3}));
+    const TextureRef wide = whole(std::vector<int>(8192, 5), 8192, 1);
+    EXPECT_EQ(wide->levels.size(), 14u);
+    EXPECT_EQ(reds(wide->levels[13]), (std::vector<int>{5}));
+}
+
+/// Red at pixel x of a row of 10 pixels with s = from .. to; both filters `mag`.
+int any_size_red(const TextureRef& texture, int x, float from, float to, Wrap wrap,
+                 MagFilter mag = MagFilter::Nearest) {
+    Workbench bench(opengl(), 10, 10);
+    MeshData square =
+        test::mesh_data(Primitive::Quads, {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}});
+    square.texcoords = {{from, 0}, {to, 0}, {to, 0}, {from, 0}};
+    Draw draw{.mesh = make_mesh(square)};
+    draw.map.texture = texture;
+    bench.state.texture.min_filter =
+        mag == MagFilter::Linear ? MinFilter::Linear : MinFilter::Nearest;
+    bench.state.texture.mag_filter = mag;
+    bench.state.texture.wrap_s = wrap;
+    bench.state.texture.wrap_t = Wrap::Clamp;
+    bench.state.texture.env = TexEnv::Replace;
+    bench.state.texture.border_color = {1, 0, 0, 1};
+    bench.draw(draw);
+    return bench.color(x, 1)[0];
+}
+
+// [R10.29] [R10.30]
+TEST(ManualTexture, AnySizeAndWraps) {
+    const TextureRef five = whole({0, 60, 120, 180, 240}, 5, 1);
+    EXPECT_EQ(any_size_red(five, 3, 0, 2, Wrap::Repeat), 180);
+    EXPECT_EQ(any_size_red(five, 6, 0, 2, Wrap::Repeat), 60);
+    EXPECT_EQ(any_size_red(five, 6, 0, 2, Wrap::MirroredRepeat), 180);
+    EXPECT_EQ(any_size_red(five, 6, 0, 2, Wrap::Clamp), 240);
+    EXPECT_EQ(any_size_red(five, 6, 0, 2, Wrap::ClampToBorder), 255);
+    EXPECT_EQ(any_size_red(five, 3, -2, 0, Wrap::ClampToBorder), 255);
+    // Odd integer parts mirror, even ones do not, before 0 as after it: s = 7.7, -0.3 and -1.3.
+    EXPECT_EQ(any_size_red(five, 3, 7, 9, Wrap::MirroredRepeat), 60);
+    EXPECT_EQ(any_size_red(five, 3, -1, 1, Wrap::MirroredRepeat), 60);
+    EXPECT_EQ(any_size_red(five, 3, -2, 0, Wrap::MirroredRepeat), 180);
+    // A texture of powers of two mirrors too. s = 1.1: m = 4, texel 3.
+    EXPECT_EQ(any_size_red(steps(), 5, 0, 2, Wrap::MirroredRepeat), 240);
+    // Wide: s = 0 .. 5000; at pixel 1 it is 750: Repeat and MirroredRepeat begin anew.
+    EXPECT_EQ(any_size_red(five, 1, 0.5f, 5000.5f, Wrap::Repeat), 120);
+    EXPECT_EQ(any_size_red(five, 1, 1.3f, 5001.3f, Wrap::MirroredRepeat), 180);
+    // Linear at s = 1.05: 1343 - 128 = 1215: texel 4 and the border, weight 191.
+    EXPECT_EQ(any_size_red(five, 5, 0.5f, 1.5f, Wrap::ClampToBorder, MagFilter::Linear), 251);
+    EXPECT_EQ(any_size_red(five, 5, 0.5f, 1.5f, Wrap::MirroredRepeat, MagFilter::Linear), 240);
+    EXPECT_EQ(any_size_red(five, 5, 0.5f, 1.5f, Wrap::Repeat, MagFilter::Linear), 61);
+}
+
+// [R10.31]
+TEST(ManualTexture, LevelsAndBias) {
+    const auto red_with = [](const TextureLodState& lod, MinFilter min) {
+        Workbench bench(opengl(), 8, 8);
+        MeshData square =
+            test::mesh_data(Primitive::Quads, {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}});
+        square.texcoords = {{0, 0}, {1, 0}, {1, 0}, {0, 0}};
+        Draw draw{.mesh = make_mesh(square)};
+        draw.map.texture = steps();
+        bench.state.texture.min_filter = min;
+        bench.state.texture.mag_filter = MagFilter::Nearest;
+        bench.state.texture.lod = lod;
+        bench.draw(draw);
+        return bench.color(1, 1)[0];
+    };
+    const MinFilter nearest = MinFilter::NearestMipmapNearest;
+    EXPECT_EQ(red_with({}, nearest), 160);           // rho = 4/3: level 0
+    EXPECT_EQ(red_with({.bias = 1}, nearest), 200);  // 8/3: level 1
+    EXPECT_EQ(red_with({.bias = 2}, nearest), 120);  // 16/3: level 2
+    EXPECT_EQ(red_with({.max_level = 1, .bias = 2}, nearest), 200);
+    EXPECT_EQ(red_with({.bias = 2, .max = 1}, nearest), 200);  // 2: level 1
+    EXPECT_EQ(red_with({.min = 2}, nearest), 120);             // 4: level 2
+    EXPECT_EQ(red_with({.min = 2, .max = 0}, nearest), 160);   // 1: magnified
+    EXPECT_EQ(red_with({.base_level = 1}, nearest), 200);
+    EXPECT_EQ(red_with({.base_level = 7}, nearest), 120);
+    EXPECT_EQ(red_with({.base_level = 2, .max_level = 1}, nearest), 120);
+    EXPECT_EQ(red_with({.base_level = 1}, MinFilter::Nearest), 200);
+    // Between levels 0 and 1: f = 106, red 160 + (40 * 106 + 128 >> 8) = 177; with a quarter more
+    // rho is 1.5857: f is rne(256 log2(1 + 149/256)) = 169.
+    EXPECT_EQ(red_with({}, MinFilter::NearestMipmapLinear), 177);
+    EXPECT_EQ(red_with({.bias = 0.25f}, MinFilter::NearestMipmapLinear), 186);
+}
+
+// [R10.28] [R10.31]
+TEST(ManualTexture, SizesWrapsAndLevelsAreExtensions) {
+    const auto refusal_of = [](bool Extensions::*missing, const auto& change) {
+        Profile profile = opengl();
+        profile.extensions.*missing = false;
+        Workbench bench(profile, 4, 4);
+        Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{1, 1, 0}}))};
+        change(bench.state.texture, draw.map);
+        return test::error_of([&] { bench.draw(draw); });
+    };
+    EXPECT_EQ(refusal_of(&Extensions::texture_sizes,
+                         [](TextureState&, TextureBinding& map) {
+                             map.texture = whole({1, 2, 3}, 3, 1);
+                         }),
+              "command 1 (Draw): extension texture_sizes is not in profile opengl");
+    EXPECT_EQ(refusal_of(&Extensions::texture_wraps,
+                         [](TextureState& s, TextureBinding&) { s.wrap_t = Wrap::MirroredRepeat; }),
+              "command 0 (SetState): extension texture_wraps is not in profile opengl");
+    EXPECT_EQ(refusal_of(&Extensions::texture_wraps,
+                         [](TextureState& s, TextureBinding&) { s.wrap_s = Wrap::ClampToBorder; }),
+              "command 0 (SetState): extension texture_wraps is not in profile opengl");
+    EXPECT_EQ(refusal_of(&Extensions::texture_lod,
+                         [](TextureState& s, TextureBinding&) { s.lod.bias = 1; }),
+              "command 0 (SetState): extension texture_lod is not in profile opengl");
+}
+
 // [R10.12] [R10.14]
 TEST(ManualTexture, LevelOfDetail) {
     EXPECT_EQ(red(3, 1, MinFilter::NearestMipmapNearest, MagFilter::Nearest), 160);
