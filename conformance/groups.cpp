@@ -112,6 +112,8 @@ const std::vector<Group>& all_groups() {
          separate_blend_case, 16, color, {&C::alpha_killed, &C::written}},
         {"texture-sizes", "textures and slots of any size, mirrors, borders, levels and their bias", "R10.28-R10.31",
          texture_sizes_case, 40, color, {&C::texels, &C::pixels, &C::written}},
+        {"texture-combine", "Add, and every function, source, operand and scale of Combine", "R10.32-R10.35",
+         texture_combine_case, 24, color, {&C::texels, &C::alpha_killed, &C::written}},
     };
     return all;
 }

@@ -58,7 +58,8 @@ Profile opengl() {
                     .blend_square = true,
                     .texture_sizes = true,
                     .texture_wraps = true,
-                    .texture_lod = true};
+                    .texture_lod = true,
+                    .texture_combine = true};
     return p;
 }
 
@@ -82,6 +83,7 @@ std::span<const ExtensionName> extension_names() {
         {"texture_sizes", &Extensions::texture_sizes},
         {"texture_wraps", &Extensions::texture_wraps},
         {"texture_lod", &Extensions::texture_lod},
+        {"texture_combine", &Extensions::texture_combine},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -33,6 +33,7 @@ struct Extensions {
     bool texture_sizes = false;           ///< sides that are no powers of two, or up to 8192
     bool texture_wraps = false;           ///< Wrap::ClampToBorder, MirroredRepeat
     bool texture_lod = false;             ///< TextureLodState
+    bool texture_combine = false;         ///< TexEnv::Add, Combine
     bool operator==(const Extensions&) const = default;
 };
 

@@ -174,7 +174,38 @@ enum class Wrap : std::uint8_t {
 };
 /// Whether the integer part of a coordinate is no distance.
 constexpr bool repeats(Wrap wrap) { return wrap == Wrap::Repeat || wrap == Wrap::MirroredRepeat; }
-enum class TexEnv : std::uint8_t { Modulate, Decal, Blend, Replace };
+enum class TexEnv : std::uint8_t {
+    Modulate,
+    Decal,
+    Blend,
+    Replace,
+    /// extension texture_combine
+    Add,
+    Combine,  ///< TextureState::combine_rgb, combine_alpha
+};
+enum class CombineFunc : std::uint8_t {
+    Replace,
+    Modulate,
+    Add,
+    AddSigned,
+    Interpolate,
+    Subtract,
+    Dot3Rgb,   ///< of colours only
+    Dot3Rgba,  ///< of colours only: replaces alpha too
+};
+enum class CombineSource : std::uint8_t { Texture, Constant, PrimaryColor, Previous };
+/// Of alpha, Color is Alpha.
+enum class CombineOperand : std::uint8_t { Color, OneMinusColor, Alpha, OneMinusAlpha };
+/// A function of up to three arguments, for colours or for alpha.
+struct CombineState {
+    CombineFunc func = CombineFunc::Modulate;
+    CombineSource source0 = CombineSource::Texture, source1 = CombineSource::Previous,
+                  source2 = CombineSource::Constant;
+    CombineOperand operand0 = CombineOperand::Color, operand1 = CombineOperand::Color,
+                   operand2 = CombineOperand::Alpha;
+    int scale = 1;  ///< 1, 2 or 4
+    bool operator==(const CombineState&) const = default;
+};
 enum class TexGen : std::uint8_t {
     None,
     SphereMap,      ///< reflection map [K3.1]
@@ -215,6 +246,9 @@ struct TextureState {
     /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
     TextureLodState lod;
+    CombineState combine_rgb;
+    CombineState combine_alpha{.operand0 = CombineOperand::Alpha,
+                               .operand1 = CombineOperand::Alpha};
     bool operator==(const TextureState&) const = default;
 };
 

@@ -202,9 +202,22 @@ TextureState any_texture_state(Random& r) {
     t.mag_filter = r.any<MagFilter>();
     t.wrap_s = r.any(Wrap::Clamp);
     t.wrap_t = r.any(Wrap::Clamp);
-    t.env = r.any<TexEnv>();
+    t.env = r.any(TexEnv::Replace);
     t.env_color = any_color(r);
     return t;
+}
+
+void any_combine(Random& r, TextureState& t) {
+    const auto any = [&r](CombineState& s, CombineFunc last) {
+        s.func = r.any(last);
+        for (CombineSource* source : {&s.source0, &s.source1, &s.source2})
+            *source = r.any<CombineSource>();
+        for (CombineOperand* operand : {&s.operand0, &s.operand1, &s.operand2})
+            *operand = r.any<CombineOperand>();
+        s.scale = r.pick({1, 1, 2, 4});
+    };
+    any(t.combine_rgb, CombineFunc::Dot3Rgba);
+    any(t.combine_alpha, CombineFunc::Subtract);
 }
 
 TextureState any_later_texture_state(Random& r) {

@@ -32,6 +32,8 @@ FogState any_fog(Random& random, double depth);
 LightingState any_lighting(Random& random);
 /// Filters, wraps, environment; no generated coordinates.
 TextureState any_texture_state(Random& random);
+/// Every function of TexEnv::Combine.
+void any_combine(Random& random, TextureState& state);
 /// Every wrap, and levels.
 TextureState any_later_texture_state(Random& random);
 

@@ -123,4 +123,29 @@ Case texture_sizes_case(Random& r) {
     return s.out;
 }
 
+// Environments that add and combine, of textures of every format.
+Case texture_combine_case(Random& r) {
+    Script s = script(r, any_opengl_profile(r, &Extensions::texture_combine));
+    s.state.depth.test = r.chance(50);
+    const int draws = r.between(1, 7);
+    for (int i = 0; i < draws; ++i) {
+        s.state.texture = any_texture_state(r);
+        s.state.texture.env = r.chance(15) ? TexEnv::Add : TexEnv::Combine;
+        any_combine(r, s.state.texture);
+        s.state.alpha = r.chance(15) ? any_alpha(r) : AlphaState{};
+        s.state.blend = r.chance(25) ? any_separate_blend(r) : BlendState{};
+        s.state.fog = r.chance(15) ? any_fog(r, eye_depth(s.frame)) : FogState{};
+        Draw d = any_draw(s, any_mesh(r, s.frame, {.texcoords = r.chance(90), .most = 6}));
+        d.map = {r.chance(70) ? any_given_levels(r) : any_texture(r), {}};
+        if (r.chance(15)) {
+            DrawPixels pixels = any_draw_pixels(s);
+            pixels.map = d.map;
+            add(s, std::move(pixels));
+        }
+        add(s, std::move(d));
+        between_draws(s);
+    }
+    return s.out;
+}
+
 }  // namespace gw::conformance

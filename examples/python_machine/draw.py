@@ -69,7 +69,7 @@ class PixelStage:
         colors = self.colors(ready, frame, x, y)
         if self.texture:
             texels = self.texture.texels(frame, ready.corners, x, y)
-            colors = environment(colors, texels, self.state.texture, self.texture.texture.format,
+            colors = environment(colors, texels, self.state, self.texture.texture.format,
                                  bits)
         if self.fog:
             colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)

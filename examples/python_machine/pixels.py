@@ -229,7 +229,7 @@ def shaded(machine, command, colors):
         machine.counters["texels"] += len(colors) * look_ups(state.texture.min_filter)
         texture = machine.texture_of(command)
         texel = texel_in_place(state, profile, texture, command.raster.texcoord)
-        colors = environment(colors, np.repeat(texel, len(colors), axis=0), state.texture,
+        colors = environment(colors, np.repeat(texel, len(colors), axis=0), state,
                              texture.format, bits)
     if state.fog.enable:
         f = fog.factor(state.fog, bounded(command.raster.distance, 2.0**200), bits)

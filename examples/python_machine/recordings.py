@@ -96,6 +96,7 @@ class Profile:
     texture_sizes: bool = False
     texture_wraps: bool = False
     texture_lod: bool = False
+    texture_combine: bool = False
 
 
 @dataclass

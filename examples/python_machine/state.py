@@ -39,6 +39,9 @@ MagFilter = enumeration("MagFilter")
 Wrap = enumeration("Wrap")
 TextureFormat = enumeration("TextureFormat")
 TexEnv = enumeration("TexEnv")
+CombineFunc = enumeration("CombineFunc")
+CombineSource = enumeration("CombineSource")
+CombineOperand = enumeration("CombineOperand")
 TexGen = enumeration("TexGen")
 CoordinateMode = enumeration("CoordinateMode")
 ColorMaterial = enumeration("ColorMaterial")
@@ -193,6 +196,22 @@ class TextureLod:
 
 
 @dataclass
+class Combine:
+    func: int = CombineFunc.Modulate
+    source0: int = CombineSource.Texture
+    source1: int = CombineSource.Previous
+    source2: int = CombineSource.Constant
+    operand0: int = CombineOperand.Color
+    operand1: int = CombineOperand.Color
+    operand2: int = CombineOperand.Alpha
+    scale: int = 1
+
+
+def combine_alpha():
+    return Combine(operand0=CombineOperand.Alpha, operand1=CombineOperand.Alpha)
+
+
+@dataclass
 class BlendAlpha:
     separate: bool = False
     src: int = BlendFactor.One
@@ -282,6 +301,8 @@ class State:
     read_buffer: int = ReadBuffer.Front
     blend_alpha: BlendAlpha = field(default_factory=BlendAlpha)
     texture_lod: TextureLod = field(default_factory=TextureLod)
+    combine_rgb: Combine = field(default_factory=Combine)
+    combine_alpha: Combine = field(default_factory=combine_alpha)
 
 
 # ---- Resolved state -------------------------------------------------------------------------

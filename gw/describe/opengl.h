@@ -151,10 +151,37 @@ inline constexpr OpenglWord<Wrap> opengl_words<Wrap>[] = {
 };
 template <>
 inline constexpr OpenglWord<TexEnv> opengl_words<TexEnv>[] = {
-    {TexEnv::Modulate, 0x2100},  // GL_MODULATE
-    {TexEnv::Decal, 0x2101},     // GL_DECAL
-    {TexEnv::Blend, 0x0BE2},     // GL_BLEND
-    {TexEnv::Replace, 0x1E01},   // GL_REPLACE
+    {TexEnv::Modulate, 0x2100},                               // GL_MODULATE
+    {TexEnv::Decal, 0x2101},                                  // GL_DECAL
+    {TexEnv::Blend, 0x0BE2},                                  // GL_BLEND
+    {TexEnv::Replace, 0x1E01},                                // GL_REPLACE
+    {TexEnv::Add, 0x0104, &Extensions::texture_combine},      // GL_ADD
+    {TexEnv::Combine, 0x8570, &Extensions::texture_combine},  // GL_COMBINE
+};
+template <>
+inline constexpr OpenglWord<CombineFunc> opengl_words<CombineFunc>[] = {
+    {CombineFunc::Replace, 0x1E01},      // GL_REPLACE
+    {CombineFunc::Modulate, 0x2100},     // GL_MODULATE
+    {CombineFunc::Add, 0x0104},          // GL_ADD
+    {CombineFunc::AddSigned, 0x8574},    // GL_ADD_SIGNED
+    {CombineFunc::Interpolate, 0x8575},  // GL_INTERPOLATE
+    {CombineFunc::Subtract, 0x84E7},     // GL_SUBTRACT
+    {CombineFunc::Dot3Rgb, 0x86AE},      // GL_DOT3_RGB
+    {CombineFunc::Dot3Rgba, 0x86AF},     // GL_DOT3_RGBA
+};
+template <>
+inline constexpr OpenglWord<CombineSource> opengl_words<CombineSource>[] = {
+    {CombineSource::Texture, 0x1702},       // GL_TEXTURE
+    {CombineSource::Constant, 0x8576},      // GL_CONSTANT
+    {CombineSource::PrimaryColor, 0x8577},  // GL_PRIMARY_COLOR
+    {CombineSource::Previous, 0x8578},      // GL_PREVIOUS
+};
+template <>
+inline constexpr OpenglWord<CombineOperand> opengl_words<CombineOperand>[] = {
+    {CombineOperand::Color, 0x0300},          // GL_SRC_COLOR
+    {CombineOperand::OneMinusColor, 0x0301},  // GL_ONE_MINUS_SRC_COLOR
+    {CombineOperand::Alpha, 0x0302},          // GL_SRC_ALPHA
+    {CombineOperand::OneMinusAlpha, 0x0303},  // GL_ONE_MINUS_SRC_ALPHA
 };
 template <>
 inline constexpr OpenglWord<AccumOp> opengl_words<AccumOp>[] = {

@@ -52,6 +52,12 @@ inline constexpr auto sentence_of<Wrap> = "Texture coordinates outside 0 .. 1.";
 template <>
 inline constexpr auto sentence_of<TexEnv> = "How a texel changes the colour.";
 template <>
+inline constexpr auto sentence_of<CombineFunc> = "A function of TexEnv.Combine.";
+template <>
+inline constexpr auto sentence_of<CombineSource> = "Where an argument's value is from.";
+template <>
+inline constexpr auto sentence_of<CombineOperand> = "What an argument takes of its source.";
+template <>
 inline constexpr auto sentence_of<TexGen> = "Generated texture coordinates.";
 template <>
 inline constexpr auto sentence_of<CoordinateMode> = "The rule of one texture coordinate.";
@@ -173,6 +179,20 @@ inline constexpr auto fields_of<TextureLodState> = std::tuple(
     field("max", &TextureLodState::max, "R10.31", "The greatest level of detail."));
 
 template <>
+inline constexpr auto sentence_of<CombineState> = "A function of up to three arguments.";
+template <>
+inline constexpr auto fields_of<CombineState> =
+    std::tuple(field("func", &CombineState::func, "R10.34", "The function.",
+                     restricted("alpha: not Dot3Rgb, Dot3Rgba")),
+               field("source0", &CombineState::source0, "R10.33", "Of the first argument."),
+               field("source1", &CombineState::source1, "R10.33", "Of the second argument."),
+               field("source2", &CombineState::source2, "R10.33", "Of the third argument."),
+               field("operand0", &CombineState::operand0, "R10.33", "Of the first argument."),
+               field("operand1", &CombineState::operand1, "R10.33", "Of the second argument."),
+               field("operand2", &CombineState::operand2, "R10.33", "Of the third argument."),
+               field("scale", &CombineState::scale, "R10.35", "1, 2 or 4.", by_rule("1, 2 or 4")));
+
+template <>
 inline constexpr auto sentence_of<TextureState> = "How texels are used.";
 template <>
 inline constexpr auto fields_of<TextureState> = std::tuple(
@@ -180,8 +200,9 @@ inline constexpr auto fields_of<TextureState> = std::tuple(
     field("mag_filter", &TextureState::mag_filter, "R10.13", "Magnification."),
     field("wrap_s", &TextureState::wrap_s, "R10.9", "Of s.", restricted("extensions")),
     field("wrap_t", &TextureState::wrap_t, "R10.9", "Of t.", restricted("extensions")),
-    field("env", &TextureState::env, "R10.17", "How a texel changes the colour."),
-    field("env_color", &TextureState::env_color, "R10.17", "Of TexEnv.Blend."),
+    field("env", &TextureState::env, "R10.17", "How a texel changes the colour.",
+          restricted("extension: Add, Combine")),
+    field("env_color", &TextureState::env_color, "R10.17", "Of TexEnv.Blend, Combine."),
     field("gen", &TextureState::gen, "R10.1", "Generated coordinates."),
     field("eta", &TextureState::eta, "R10.3", "n1 / n2 of RefractionMap."),
     field("eye_linear", &TextureState::eye_linear, "R10.4", "Rows give s, t, r, q."),
@@ -190,7 +211,9 @@ inline constexpr auto fields_of<TextureState> = std::tuple(
     field("border_color", &TextureState::border_color, "R10.25", "Of BorderClamp, ClampToBorder."),
     field("shadow_compare", &TextureState::shadow_compare, "R10.18", "1 if r <= texel, else 0.",
           restricted("extension")),
-    field("lod", &TextureState::lod, "", "The levels that are used."));
+    field("lod", &TextureState::lod, "", "The levels that are used."),
+    field("combine_rgb", &TextureState::combine_rgb, "", "Of TexEnv.Combine: colours."),
+    field("combine_alpha", &TextureState::combine_alpha, "", "Of TexEnv.Combine: alpha."));
 
 // ---- Fragments ----------------------------------------------------------------------------------
 

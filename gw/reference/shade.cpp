@@ -34,7 +34,7 @@ Rgba shaded_color(const Shader& s, int x, int y) {
     if (s.context.texels) {
         const Rgba texel =
             texel_at(s.values, *s.context.texels, r, s.context.profile->depth_bits, x, y);
-        color = texture_environment(r.state.texture.env, s.context.texels->format, color, texel,
+        color = texture_environment(r.state.texture, s.context.texels->format, color, texel,
                                     r.env_color, r.bits);
     }
     if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);

@@ -123,9 +123,9 @@ constexpr bool reads_stored(const LogicOpState& s) {
 }
 
 /// What a texture environment does with a channel.
-enum class EnvironmentOp : std::uint8_t { Keep, Replace, Modulate, Decal, Blend };
+enum class EnvironmentOp : std::uint8_t { Keep, Replace, Modulate, Decal, Blend, Add };
 
-/// [GL11] tables 3.10 and 3.11: the colour channels, or alpha. Channels that a format lacks leave the
+/// [GL11] tables 3.10 and 3.11, and Add: the colour channels, or alpha. Not of Combine. Channels that a format lacks leave the
 /// fragment's as it is. Decal is defined for RGB and RGBA; the others are treated as RGBA.
 constexpr EnvironmentOp environment_op(TexEnv mode, TextureFormat format, bool alpha) {
     const bool has_alpha = format != TextureFormat::RGB && format != TextureFormat::Luminance;
@@ -135,20 +135,100 @@ constexpr EnvironmentOp environment_op(TexEnv mode, TextureFormat format, bool a
         case TexEnv::Modulate: return EnvironmentOp::Modulate;
         case TexEnv::Decal: return EnvironmentOp::Decal;
         case TexEnv::Replace: return EnvironmentOp::Replace;
-        case TexEnv::Blend: break;
+        case TexEnv::Blend:
+        case TexEnv::Add:
+        case TexEnv::Combine: break;
     }
-    return alpha && format != TextureFormat::Intensity ? EnvironmentOp::Modulate
-                                                       : EnvironmentOp::Blend;
+    if (alpha && format != TextureFormat::Intensity) return EnvironmentOp::Modulate;
+    return mode == TexEnv::Add ? EnvironmentOp::Add : EnvironmentOp::Blend;
+}
+
+/// The colours that TexEnv::Combine joins.
+struct CombineInputs {
+    Rgba texture, constant, primary, previous;
+
+    constexpr const Rgba& of(CombineSource source) const {
+        switch (source) {
+            case CombineSource::Texture: return texture;
+            case CombineSource::Constant: return constant;
+            case CombineSource::PrimaryColor: return primary;
+            case CombineSource::Previous: break;
+        }
+        return previous;
+    }
+};
+
+constexpr std::int64_t combine_argument(const Rgba& v, CombineOperand operand, std::size_t c,
+                                        std::int64_t max) {
+    switch (operand) {
+        case CombineOperand::Color: return v[c];
+        case CombineOperand::OneMinusColor: return max - v[c];
+        case CombineOperand::Alpha: return v[3];
+        case CombineOperand::OneMinusAlpha: break;
+    }
+    return max - v[3];
+}
+
+/// Four times the dot product of two arguments, each less a half: to nearest.
+constexpr std::int64_t combine_dot(const CombineState& s, const CombineInputs& in, int bits) {
+    const std::int64_t max = max_of_bits(bits), half = std::int64_t{1} << (bits - 1);
+    std::int64_t sum = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+        sum += (combine_argument(in.of(s.source0), s.operand0, c, max) - half) *
+               (combine_argument(in.of(s.source1), s.operand1, c, max) - half);
+    return sum > 0 ? (8 * sum + max) / (2 * max) : 0;
+}
+
+/// The function of channel c, not yet scaled and clamped. Each product is rounded once.
+constexpr std::int64_t combine_channel(const CombineState& s, const CombineInputs& in,
+                                       std::size_t c, int bits) {
+    const std::int64_t max = max_of_bits(bits);
+    const std::int64_t a = combine_argument(in.of(s.source0), s.operand0, c, max),
+                       b = combine_argument(in.of(s.source1), s.operand1, c, max);
+    const auto product = [&](std::int64_t x, std::int64_t y) {
+        return std::int64_t{mul(std::uint32_t(x), std::uint32_t(y), bits)};
+    };
+    switch (s.func) {
+        case CombineFunc::Replace: return a;
+        case CombineFunc::Modulate: return product(a, b);
+        case CombineFunc::Add: return a + b;
+        case CombineFunc::AddSigned: return a + b - (std::int64_t{1} << (bits - 1));
+        case CombineFunc::Interpolate: {
+            const std::int64_t weight = combine_argument(in.of(s.source2), s.operand2, c, max);
+            return product(a, weight) + product(b, max - weight);
+        }
+        case CombineFunc::Subtract: return a - b;
+        case CombineFunc::Dot3Rgb:
+        case CombineFunc::Dot3Rgba: break;
+    }
+    return combine_dot(s, in, bits);
+}
+
+/// `t` of a texture of this format. Colours that the format lacks are 0.
+constexpr Rgba combine(const TextureState& s, TextureFormat format, const Rgba& f, Rgba t,
+                       const Rgba& env, int bits) {
+    if (format == TextureFormat::Alpha) t[0] = t[1] = t[2] = 0;
+    const CombineInputs in{t, env, f, f};
+    const std::int64_t max = max_of_bits(bits);
+    Rgba out{};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const bool own = c == 3 && s.combine_rgb.func != CombineFunc::Dot3Rgba;
+        const CombineState& by = own ? s.combine_alpha : s.combine_rgb;
+        const std::int64_t v = by.scale * combine_channel(by, in, c, bits);
+        out[c] = static_cast<std::uint16_t>(v < 0 ? 0 : v < max ? v : max);
+    }
+    return out;
 }
 
 /// `f` of the fragment, `t` of the texture, `env` constant.
-constexpr Rgba texture_environment(TexEnv mode, TextureFormat format, const Rgba& f, const Rgba& t,
-                                   const Rgba& env, int bits) {
+constexpr Rgba texture_environment(const TextureState& s, TextureFormat format, const Rgba& f,
+                                   const Rgba& t, const Rgba& env, int bits) {
+    if (s.env == TexEnv::Combine) return combine(s, format, f, t, env, bits);
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = f;
     for (std::size_t i = 0; i < 4; ++i) {
         std::uint32_t v = f[i];
-        switch (environment_op(mode, format, i == 3)) {
+        switch (environment_op(s.env, format, i == 3)) {
             case EnvironmentOp::Keep: break;
             case EnvironmentOp::Replace: v = t[i]; break;
             case EnvironmentOp::Modulate: v = mul(f[i], t[i], bits); break;
@@ -158,6 +238,7 @@ constexpr Rgba texture_environment(TexEnv mode, TextureFormat format, const Rgba
             case EnvironmentOp::Blend:
                 v = mul(f[i], max - t[i], bits) + mul(env[i], t[i], bits);
                 break;
+            case EnvironmentOp::Add: v = std::min<std::uint32_t>(max, f[i] + t[i]); break;
         }
         out[i] = static_cast<std::uint16_t>(v);
     }

@@ -41,6 +41,7 @@ void check_extensions(const Checker& c, const State& s) {
     c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
     check_word(c, s.texture.wrap_s);
     check_word(c, s.texture.wrap_t);
+    check_word(c, s.texture.env);
     c.extension(s.texture.lod != TextureLodState{}, e.texture_lod, "texture_lod");
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
@@ -129,6 +130,15 @@ void check_blend(const Checker& c, const BlendState& b) {
     destination("blend.alpha.dst", b.alpha.dst);
 }
 
+void check_scale(const Checker& c, const char* field, int scale) {
+    c.require(scale == 1 || scale == 2 || scale == 4, field, scale, "1, 2 or 4");
+}
+void check_combine(const Checker& c, const TextureState& s) {
+    check_scale(c, "texture.combine_rgb.scale", s.combine_rgb.scale);
+    check_scale(c, "texture.combine_alpha.scale", s.combine_alpha.scale);
+    c.enumeration("texture.combine_alpha.func", s.combine_alpha.func, CombineFunc::Subtract);
+}
+
 /// The sphere gives s and t only.
 void check_coordinates(const Checker& c, const std::array<CoordinateGen, 4>& coordinates) {
     for (std::size_t i = 2; i < 4; ++i)
@@ -166,6 +176,7 @@ void check(const Checker& c, const SetState& set) {
     check_jitter(c, s.jitter);
     check_fog(c, s.fog);
     check_coordinates(c, s.texture.coordinates);
+    check_combine(c, s.texture);
     check_scissor(c, s.scissor.box);
     check_blend(c, s.blend);
     check_buffers(c, s);

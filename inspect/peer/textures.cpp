@@ -60,6 +60,7 @@ MinFilter without_mipmaps(MinFilter filter) {
 }
 
 void set_sampler(const TextureState& s, GLenum target, bool one_level) {
+    if (s.env > TexEnv::Replace) refuse("OpenGL 1.3", "texture.env");
     if (s.lod != TextureLodState{}) refuse("OpenGL 1.4", "texture.lod");
     const MinFilter min_filter = one_level ? without_mipmaps(s.min_filter) : s.min_filter;
     gl().TexParameteri(target, GL_TEXTURE_MIN_FILTER, value(token(min_filter)));

@@ -68,7 +68,7 @@ Profile from_file(const gwt::Profile& p) {
                        p.two_sided_stencil(), p.texture_border(), p.texture_formats(), p.stipple(),
                        p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(), p.blend_minmax(),
                        p.blend_subtract(), p.draw_pixels(), p.blend_separate(), p.blend_square(),
-                       p.texture_sizes(), p.texture_wraps(), p.texture_lod()}};
+                       p.texture_sizes(), p.texture_wraps(), p.texture_lod(), p.texture_combine()}};
 }
 
 class Decoder {

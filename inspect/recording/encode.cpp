@@ -268,7 +268,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
-        e.texture_lod);
+        e.texture_lod, e.texture_combine);
 }
 
 bool needs_version_2(const Profile& p) {

@@ -106,6 +106,10 @@ auto& ours(OurState& s) {
         return s.blend.alpha;
     else if constexpr (name == "texture_lod")
         return s.texture.lod;
+    else if constexpr (name == "combine_rgb")
+        return s.texture.combine_rgb;
+    else if constexpr (name == "combine_alpha")
+        return s.texture.combine_alpha;
     else if constexpr (name == "color_material")
         return s.lighting.color_material;
     else if constexpr (name == "coordinates")
@@ -251,9 +255,9 @@ void read_member(const gwt::State& f, State& s) {
 /// Enumerators of version 2 in members of version 1.
 bool has_enumerator_of_version_2(const State& s) {
     const auto is_constant = [](BlendFactor f) { return f >= BlendFactor::ConstantColor; };
-    return is_constant(s.blend.src) || is_constant(s.blend.dst) ||
-           s.texture.gen == TexGen::PerCoordinate || s.texture.wrap_s >= Wrap::BorderClamp ||
-           s.texture.wrap_t >= Wrap::BorderClamp;
+    return s.texture.env > TexEnv::Replace || is_constant(s.blend.src) ||
+           is_constant(s.blend.dst) || s.texture.gen == TexGen::PerCoordinate ||
+           s.texture.wrap_s >= Wrap::BorderClamp || s.texture.wrap_t >= Wrap::BorderClamp;
 }
 
 constexpr bool is_of_version_2(std::size_t place) {

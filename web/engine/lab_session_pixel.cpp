@@ -321,7 +321,7 @@ Json LabSession::pixel(const Json& options) {
         const Texels texels = make_texels(*asked.texture, bits, texel_bits(asked.profile));
         answer["texture"] = texture_json(values, texels, state, x, y);
         const Rgba texel = ref::texel_at(values, texels, state, 0, x, y);
-        color = texture_environment(state.state.texture.env, texels.format, color, texel,
+        color = texture_environment(state.state.texture, texels.format, color, texel,
                                     state.env_color, bits);
     }
     answer["shaded"] = color;

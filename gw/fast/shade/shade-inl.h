@@ -121,6 +121,20 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
                 d, out.channel[c] + i);
 }
 
+/// Lane by lane.
+HWY_NOINLINE inline void combine_block(const DrawOp& op, const ColorBlock& color,
+                                       const ColorBlock& texel, ColorBlock& out) {
+    const auto at = [](const ColorBlock& b, std::size_t i) {
+        return Rgba{b.channel[0][i], b.channel[1][i], b.channel[2][i], b.channel[3][i]};
+    };
+    for (std::size_t i = 0; i < block_pixels; ++i) {
+        const Rgba combined =
+            combine(op.state.state.texture, op.texels->texels.format, at(color, i), at(texel, i),
+                    op.state.env_color, op.state.bits);
+        for (std::size_t c = 0; c < 4; ++c) out.channel[c][i] = combined[c];
+    }
+}
+
 /// texture_environment() of gw/stages/tables.h.
 HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& color,
                                            const ColorBlock& texel, ColorBlock& out) {
@@ -129,6 +143,7 @@ HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& c
     const Rgba& env = op.state.env_color;
     const int bits = op.state.bits;
     if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(color, texel, out);
+    if (mode == TexEnv::Combine) return combine_block(op, color, texel, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -148,6 +163,7 @@ HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& c
                     v = hn::Add(mul_lanes(f, hn::Sub(max, t), bits),
                                 mul_lanes(hn::Set(d, env[c]), t, bits));
                     break;
+                case EnvironmentOp::Add: v = hn::Min(max, hn::Add(f, t)); break;
             }
             store16(v, out.channel[c] + i);
         }

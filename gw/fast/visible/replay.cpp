@@ -66,6 +66,7 @@ HWY_INLINE void make_textures(const TileDraw& draw, VisibleRecord& record) {
     TextureState state = op.state.state.texture;
     state.env = TexEnv::Modulate;
     state.env_color = vec4(0);
+    state.combine_rgb = state.combine_alpha = {};
     if (cache.texcoords == op.texcoords && cache.texels == op.texels && cache.state == state)
         return;
     cache.texcoords = op.texcoords;

@@ -91,8 +91,8 @@ Rgba PlacedPixels::shaded(const Rgba& color) const {
     const State& s = state_->state;
     Rgba out = color;
     if (texel_)
-        out = texture_environment(s.texture.env, format_, out, *texel_, state_->env_color,
-                                  state_->bits);
+        out =
+            texture_environment(s.texture, format_, out, *texel_, state_->env_color, state_->bits);
     return s.fog.enable ? apply_fog(out, fog_factor_, state_->fog_color, state_->bits) : out;
 }
 

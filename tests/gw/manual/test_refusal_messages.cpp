@@ -140,6 +140,9 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.texture.coordinates[2].plane.w = nan; });
     add([](State& s) { s.texture.matrix[1][0] = infinity; });
     add([](State& s) { s.texture.border_color.w = nan; });
+    add([](State& s) { s.texture.combine_rgb.scale = 3; });
+    add([](State& s) { s.texture.combine_alpha.scale = 0; });
+    add([](State& s) { s.texture.combine_alpha.func = CombineFunc::Dot3Rgb; });
     for (float TextureLodState::*member :
          {&TextureLodState::bias, &TextureLodState::min, &TextureLodState::max}) {
         SetState set;

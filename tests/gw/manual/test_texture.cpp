@@ -456,5 +456,74 @@ TEST(ManualTexture, OneDimension) {
     EXPECT_EQ(textured(t, s), (Rgba{255, 0, 0, 255}));
 }
 
+/// A texel (200, 100, 50, 64) of any format and a fragment (128, 192, 255, 128).
+Rgba combined(const TextureState& given, TextureFormat format = TextureFormat::RGBA) {
+    Workbench bench(opengl(), 1, 1);
+    MeshData point =
+        test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}}, {vec4(128, 192, 255, 128) / 255.0f});
+    Draw draw{.mesh = make_mesh(point)};
+    Texture texture{.name = "one"};
+    texture.format = format;
+    texture.levels = {{1, 1, {200 * 257, 100 * 257, 50 * 257, 64 * 257}}};
+    draw.map.texture = make_texture(std::move(texture));
+    bench.state.texture = given;
+    bench.state.texture.env_color = vec4(255, 0, 128, 51) / 255.0f;
+    bench.draw(draw);
+    return bench.color(0, 0);
+}
+
+// [R10.32] [R10.33] [R10.34] [R10.35]
+TEST(ManualTexture, Combine) {
+    TextureState t{.env = TexEnv::Combine};
+    CombineState& rgb = t.combine_rgb;
+    EXPECT_EQ(combined(t), (Rgba{100, 75, 50, 32}));  // Modulate: 100.39, 75.29, 50, 32.13
+    rgb.func = CombineFunc::Interpolate;
+    EXPECT_EQ(combined(t), (Rgba{142, 174, 214, 32}));
+    rgb.operand2 = CombineOperand::OneMinusColor;  // 0, 255, 127
+    EXPECT_EQ(combined(t), (Rgba{128, 100, 153, 32}));
+    rgb.func = CombineFunc::AddSigned;
+    rgb.scale = 2;
+    t.combine_alpha.func = CombineFunc::AddSigned;
+    EXPECT_EQ(combined(t), (Rgba{255, 255, 255, 64}));
+    rgb.source1 = CombineSource::Constant;
+    rgb.operand1 = CombineOperand::OneMinusAlpha;  // 204
+    rgb.scale = 1;
+    EXPECT_EQ(combined(t), (Rgba{255, 176, 126, 64}));
+    rgb.func = CombineFunc::Subtract;
+    EXPECT_EQ(combined(t), (Rgba{0, 0, 0, 64}));
+    rgb.operand1 = CombineOperand::Alpha;  // 51
+    rgb.scale = 4;
+    EXPECT_EQ(combined(t), (Rgba{255, 196, 0, 64}));  // 149, 49, -1
+    rgb = {.func = CombineFunc::Dot3Rgb};
+    EXPECT_EQ(combined(t), (Rgba{0, 0, 0, 64}));
+    rgb.operand1 = CombineOperand::OneMinusColor;
+    EXPECT_EQ(combined(t), (Rgba{184, 184, 184, 64}));
+    rgb.func = CombineFunc::Dot3Rgba;
+    EXPECT_EQ(combined(t), (Rgba{184, 184, 184, 184}));
+    rgb = {.func = CombineFunc::Replace, .source0 = CombineSource::PrimaryColor, .scale = 2};
+    t.combine_alpha = {.func = CombineFunc::Add, .source1 = CombineSource::Constant};
+    EXPECT_EQ(combined(t), (Rgba{255, 255, 255, 115}));
+    rgb = {.func = CombineFunc::Replace};
+    EXPECT_EQ(combined(t, TextureFormat::Alpha), (Rgba{0, 0, 0, 115}));
+    EXPECT_EQ(combined(t, TextureFormat::Luminance), (Rgba{200, 200, 200, 255}));
+}
+
+// [R10.32]
+TEST(ManualTexture, TheEnvironmentAdd) {
+    const TextureState t{.env = TexEnv::Add};
+    EXPECT_EQ(combined(t), (Rgba{255, 255, 255, 32}));
+    EXPECT_EQ(combined(t, TextureFormat::RGB), (Rgba{255, 255, 255, 128}));
+    EXPECT_EQ(combined(t, TextureFormat::Alpha), (Rgba{128, 192, 255, 32}));
+    EXPECT_EQ(combined(t, TextureFormat::Intensity), (Rgba{255, 255, 255, 255}));
+    Profile profile = opengl();
+    profile.extensions.texture_combine = false;
+    Workbench bench(profile, 1, 1);
+    bench.state.texture = t;
+    EXPECT_EQ(test::error_of([&] {
+                  bench.draw(Primitive::Points, {{0, 0, 0}});
+              }),
+              "command 0 (SetState): extension texture_combine is not in profile opengl");
+}
+
 }  // namespace
 }  // namespace gw
