@@ -37,6 +37,7 @@ Case texture_formats_case(Random& random);
 Case texture_churn_case(Random& random);
 Case texture_combine_case(Random& random);
 Case texture_sizes_case(Random& random);
+Case texture_srgb_case(Random& random);
 Case tiny_draws_case(Random& random);
 Case vertices_case(Random& random);
 Case viewport_case(Random& random);

@@ -114,6 +114,8 @@ const std::vector<Group>& all_groups() {
          texture_sizes_case, 40, color, {&C::texels, &C::pixels, &C::written}},
         {"texture-combine", "Add, and every function, source, operand and scale of Combine", "R10.32-R10.35",
          texture_combine_case, 24, color, {&C::texels, &C::alpha_killed, &C::written}},
+        {"texture-srgb", "textures whose colours are encoded as in sRGB", "R10.36",
+         texture_srgb_case, 12, color, {&C::texels, &C::written}},
     };
     return all;
 }

@@ -59,7 +59,8 @@ Profile opengl() {
                     .texture_sizes = true,
                     .texture_wraps = true,
                     .texture_lod = true,
-                    .texture_combine = true};
+                    .texture_combine = true,
+                    .texture_srgb = true};
     return p;
 }
 
@@ -84,6 +85,7 @@ std::span<const ExtensionName> extension_names() {
         {"texture_wraps", &Extensions::texture_wraps},
         {"texture_lod", &Extensions::texture_lod},
         {"texture_combine", &Extensions::texture_combine},
+        {"texture_srgb", &Extensions::texture_srgb},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -34,6 +34,7 @@ struct Extensions {
     bool texture_wraps = false;           ///< Wrap::ClampToBorder, MirroredRepeat
     bool texture_lod = false;             ///< TextureLodState
     bool texture_combine = false;         ///< TexEnv::Add, Combine
+    bool texture_srgb = false;            ///< Texture::srgb
     bool operator==(const Extensions&) const = default;
 };
 

@@ -230,9 +230,10 @@ TextureRef make_texture(std::string name, int width, int height,
 }
 
 TextureRef make_whole_texture(std::string name, int width, int height,
-                              std::span<const std::uint16_t> rgba) {
+                              std::span<const std::uint16_t> rgba, bool srgb) {
     check(name, width, height, rgba.size(), max_texture_side);
     auto texture = texture_named(std::move(name));
+    texture->srgb = srgb;
     texture->levels.push_back({width, height, std::vector(rgba.begin(), rgba.end())});
     add_levels(*texture);
     return texture;

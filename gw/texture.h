@@ -89,6 +89,7 @@ struct Texture {
     int dimensions = 2;         ///< 1: t is 0, the height 1
     bool border = false;        ///< levels have a texel more on each side (1D: left and right)
     bool given_levels = false;  ///< levels do not follow from the first
+    bool srgb = false;          ///< extension texture_srgb: R, G, B are encoded as in sRGB
     TextureHistory history;     ///< not part of its value
 
     int width() const { return levels.front().width; }
@@ -135,7 +136,7 @@ TextureRef make_texture(std::string name, int width, int height,
 
 /// The same of an image of any size up to max_texture_side, which is not resampled.
 TextureRef make_whole_texture(std::string name, int width, int height,
-                              std::span<const std::uint16_t> rgba);
+                              std::span<const std::uint16_t> rgba, bool srgb = false);
 
 /// A texture of given levels, each half as large as the one before, as many as there are. `rgba` of a
 /// level with a border has (width + 2) (height + 2) texels, 1D (width + 2). Channels that the format

@@ -39,18 +39,20 @@ int any_side(Random& r) {
     return kind < 39 ? r.between(20, 70) : r.between(4096, 8192);
 }
 
-TextureRef any_whole_texture(Random& r) {
+TextureRef any_whole_texture(Random& r, bool srgb = false) {
     const int width = any_side(r), height = width < 100 ? any_side(r) : r.between(1, 3);
     const bool noise = r.chance(60);
+    const int bits = srgb && r.chance(40) ? 12 : 16;  // dark, or of any value
     std::vector<std::uint16_t> rgba;
     for (int i = 0; i < 4 * width * height; ++i)
-        rgba.push_back(std::uint16_t(noise ? r.bits(16) : 257 * r.pick({0, 128, 255})));
-    return make_whole_texture("whole", width, height, rgba);
+        rgba.push_back(std::uint16_t(noise ? r.bits(bits) : 257 * r.pick({0, 128, 255})));
+    return make_whole_texture("whole", width, height, rgba, srgb);
 }
 
 /// Given levels of any size, with or without a border.
-TextureRef any_given_levels(Random& r) {
+TextureRef any_given_levels(Random& r, bool srgb = false) {
     Texture t{.name = "given"};
+    t.srgb = srgb;
     t.format = r.chance(20) ? TextureFormat::Alpha : r.any(TextureFormat::Intensity);
     t.border = r.chance(40);
     int width = r.between(1, 20), height = r.between(1, 20);
@@ -142,6 +144,24 @@ Case texture_combine_case(Random& r) {
             pixels.map = d.map;
             add(s, std::move(pixels));
         }
+        add(s, std::move(d));
+        between_draws(s);
+    }
+    return s.out;
+}
+
+// Textures of sRGB colours, filtered, in texels of every width.
+Case texture_srgb_case(Random& r) {
+    Profile profile = any_opengl_profile(r, &Extensions::texture_srgb);
+    if (r.chance(30)) profile.texel_bits = r.between(1, 16);
+    Script s = script(r, profile);
+    s.state.depth.test = r.chance(50);
+    const int draws = r.between(1, 6);
+    for (int i = 0; i < draws; ++i) {
+        s.state.texture = r.chance(40) ? any_later_texture_state(r) : any_texture_state(r);
+        Draw d = any_draw(s, any_mesh(r, s.frame, {.texcoords = true, .most = 6}));
+        const bool srgb = r.chance(85);
+        d.map = {r.chance(50) ? any_given_levels(r, srgb) : any_whole_texture(r, srgb), {}};
         add(s, std::move(d));
         between_draws(s);
     }

@@ -97,6 +97,7 @@ class Profile:
     texture_wraps: bool = False
     texture_lod: bool = False
     texture_combine: bool = False
+    texture_srgb: bool = False
 
 
 @dataclass
@@ -197,6 +198,7 @@ class Image:
     format: int = 0
     dimensions: int = 2
     border: bool = False
+    srgb: bool = False
 
 
 def image_of(table):
@@ -206,9 +208,9 @@ def image_of(table):
     else:
         texels = table.Texels16AsNumpy().astype(np.int64)
     if table.LevelCount() == 0:
-        return Image(texels.reshape(table.Height(), table.Width(), 4))
+        return Image(texels.reshape(table.Height(), table.Width(), 4), srgb=table.Srgb())
     return Image(None, given_levels(table, texels), table.Format(), table.Dimensions(),
-                 table.Border())
+                 table.Border(), table.Srgb())
 
 
 def given_levels(table, texels):

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from .elementary import exp
+from .elementary import exp, power
 from .numbers import clamp, mul, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
 from .state import (CombineFunc, CombineOperand, CombineSource, MagFilter, MinFilter, TexEnv,
@@ -40,8 +40,20 @@ def pyramid(image):
     return levels
 
 
-def texels_of(level, profile):
-    """[R10.6], [R10.23]"""
+def linear_value(b):
+    """[R10.36]"""
+    v = b / 255
+    return quantize(v / 12.92 if v <= 0.04045 else power((v + 0.055) / 1.055, 2.4), 16)
+
+
+LINEAR_VALUES = np.array([linear_value(b) for b in range(256)], np.int64)
+
+
+def texels_of(level, profile, srgb):
+    """[R10.6], [R10.23], [R10.36]"""
+    if srgb:
+        colors = LINEAR_VALUES[rescale(level[:, :, :3], 16, 8)]
+        level = np.concatenate([colors, level[:, :, 3:]], axis=2)
     bits = profile.texel_bits or profile.color_bits
     return rescale(rescale(level, 16, bits), bits, profile.color_bits)
 
@@ -71,8 +83,9 @@ class Texture:
     @classmethod
     def of_image(cls, image, profile):
         if image.given is None:
-            return cls([texels_of(level, profile) for level in pyramid(image.texels)])
-        levels = [texels_of(completed(level, image.format), profile) for level in image.given]
+            return cls([texels_of(level, profile, image.srgb) for level in pyramid(image.texels)])
+        levels = [texels_of(completed(level, image.format), profile, image.srgb)
+                  for level in image.given]
         if not image.border:
             result = cls(levels)
         else:

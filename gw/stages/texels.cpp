@@ -12,12 +12,21 @@ namespace {
 
 /// The rounding of 16-bit values. 8 bits: rescale(v, 16, 8) = (v + 128) / 257.
 struct ToBytes {
+    static std::uint32_t color(std::uint32_t v) { return v; }
     std::uint32_t operator()(std::uint32_t v) const { return (v + 128 - ((v + 128) >> 8)) >> 8; }
 };
 struct ToBits {
     int texel_bits, bits;
+    static std::uint32_t color(std::uint32_t v) { return v; }
     std::uint32_t operator()(std::uint32_t v) const {
         return rescale(rescale(v, 16, texel_bits), texel_bits, bits);
+    }
+};
+
+/// Of sRGB colours; alpha is as it is.
+struct ToLinear : ToBits {
+    static std::uint32_t color(std::uint32_t v) {
+        return srgb_values()[std::size_t(rescale(v, 16, 8))];
     }
 };
 
@@ -25,8 +34,9 @@ struct ToBits {
 template <class Round>
 void round_row(const std::uint16_t* from, int count, Round round, const auto& store) {
     for (int x = 0; x < count; ++x, from += 4)
-        store(x, Rgba{std::uint16_t(round(from[0])), std::uint16_t(round(from[1])),
-                      std::uint16_t(round(from[2])), std::uint16_t(round(from[3]))});
+        store(x, Rgba{std::uint16_t(round(round.color(from[0]))),
+                      std::uint16_t(round(round.color(from[1]))),
+                      std::uint16_t(round(round.color(from[2]))), std::uint16_t(round(from[3]))});
 }
 
 /// The texels of a level without a border.
@@ -72,7 +82,9 @@ void round_part(Texels& t, TexelLevel& level, const TextureLevel& from, const Re
         else
             round_bordered(t, level, from, part, round);
     };
-    if (t.bits == 8 && texel_bits == 8)
+    if (t.srgb)
+        take(ToLinear{{texel_bits, t.bits}});
+    else if (t.bits == 8 && texel_bits == 8)
         take(ToBytes{});
     else
         take(ToBits{texel_bits, t.bits});
@@ -83,6 +95,19 @@ constexpr std::uint32_t root_two_bits = 0x3FB504F3;   // of sqrt(2), rounded dow
 constexpr std::uint32_t root_half_bits = 0x3F3504F4;  // of sqrt(1/2), rounded up
 
 }  // namespace
+
+const std::array<std::uint16_t, 256>& srgb_values() {
+    static const std::array<std::uint16_t, 256> table = [] {
+        std::array<std::uint16_t, 256> t{};
+        for (std::size_t i = 0; i < 256; ++i) {
+            const double v = double(i) / 255;
+            const double linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+            t[i] = static_cast<std::uint16_t>(quantize(linear, 16));
+        }
+        return t;
+    }();
+    return table;
+}
 
 const std::array<std::uint32_t, 256>& mantissa_levels() {
     static const std::array<std::uint32_t, 256> table = [] {
@@ -114,6 +139,7 @@ TexelLevel& Texels::add_level(int width, int height) {
 
 Texels make_texels(const Texture& texture, int bits, int texel_bits) {
     Texels t{bits, texture.format, texture.dimensions};
+    t.srgb = texture.srgb;
     std::size_t count = 0;
     for (const TextureLevel& from : texture.levels)
         count += std::size_t(from.width) * std::size_t(from.height);

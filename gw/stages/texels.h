@@ -27,6 +27,7 @@ struct Texels {
     TextureFormat format = TextureFormat::RGBA;
     int dimensions = 2;
     bool any_size = false;  ///< is_any_size() of level 0
+    bool srgb = false;      ///< made of an sRGB texture
     std::vector<TexelLevel> levels;
     std::vector<std::uint32_t> packed;  ///< all levels' texels if bits == 8: packed()
     std::vector<Rgba> wide;             ///< else
@@ -48,6 +49,8 @@ struct Texels {
 
 /// Levels rounded from 16 bits to `texel_bits`, then to `bits`.
 Texels make_texels(const Texture& texture, int bits, int texel_bits);
+/// The linear value of each byte of sRGB, of 16 bits.
+const std::array<std::uint16_t, 256>& srgb_values();
 /// Takes a part over from a texture with the same levels.
 void update_texels(Texels& texels, const Texture& texture, const TexturePart& part, int texel_bits);
 

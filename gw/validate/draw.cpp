@@ -33,6 +33,7 @@ void check(const Checker& c, const TextureBinding& map) {
     const Extensions& e = c.profile.extensions;
     c.extension(map.texture->border, e.texture_border, "texture_border");
     c.extension(map.texture->given_levels, e.texture_formats, "texture_formats");
+    c.extension(map.texture->srgb, e.texture_srgb, "texture_srgb");
     c.extension(is_any_size(map.texture->width(), map.texture->height()), e.texture_sizes,
                 "texture_sizes");
 }

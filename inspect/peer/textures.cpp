@@ -31,6 +31,7 @@ GLenum target_of(const TextureBinding& binding) {
 }
 
 void upload(const Texture& texture, GLenum target) {
+    if (texture.srgb) refuse("GL_EXT_texture_sRGB", "texture");
     const GLint format = internal_format(texture.format), border = texture.border ? 1 : 0;
     GLint level = 0;
     for (const TextureLevel& l : texture.levels) {

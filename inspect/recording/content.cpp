@@ -59,6 +59,7 @@ Digest content(const Texture& texture) {
     hasher.add_number(std::uint64_t(level.width));
     hasher.add_number(std::uint64_t(level.height));
     hasher.add(*level.rgba);
+    if (texture.srgb) hasher.add_number(1);
     if (!texture.given_levels) return hasher.finish();
     hasher.add_number(std::uint64_t(texture.format));
     hasher.add_number(std::uint64_t(texture.dimensions));

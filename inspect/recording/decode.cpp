@@ -51,24 +51,28 @@ Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first()
 
 /// All but its name.
 Profile from_file(const gwt::Profile& p) {
-    return {
-        .color_bits = p.color_bits(),
-        .depth_bits = p.depth_bits(),
-        .stencil_bits = p.stencil_bits(),
-        .accum_bits = p.accum_bits(),
-        .subpixel_bits = p.subpixel_bits(),
-        .lit_bits = p.lit_bits(),
-        .max_lights = p.max_lights(),
-        .texel_bits = p.texel_bits(),
-        .coverage_bits = p.coverage_bits(),
-        .color_planes = p.color_planes(),
-        .fragment_fog = p.fragment_fog(),
-        .perspective_color = p.perspective_color(),
-        .extensions = {p.polygon_offset(), p.shadow_texture(), p.stencil_wrap(),
-                       p.two_sided_stencil(), p.texture_border(), p.texture_formats(), p.stipple(),
-                       p.two_sided_polygon_mode(), p.logic_op(), p.blend_color(), p.blend_minmax(),
-                       p.blend_subtract(), p.draw_pixels(), p.blend_separate(), p.blend_square(),
-                       p.texture_sizes(), p.texture_wraps(), p.texture_lod(), p.texture_combine()}};
+    return {.color_bits = p.color_bits(),
+            .depth_bits = p.depth_bits(),
+            .stencil_bits = p.stencil_bits(),
+            .accum_bits = p.accum_bits(),
+            .subpixel_bits = p.subpixel_bits(),
+            .lit_bits = p.lit_bits(),
+            .max_lights = p.max_lights(),
+            .texel_bits = p.texel_bits(),
+            .coverage_bits = p.coverage_bits(),
+            .color_planes = p.color_planes(),
+            .fragment_fog = p.fragment_fog(),
+            .perspective_color = p.perspective_color(),
+            .extensions = {p.polygon_offset(),  p.shadow_texture(),
+                           p.stencil_wrap(),    p.two_sided_stencil(),
+                           p.texture_border(),  p.texture_formats(),
+                           p.stipple(),         p.two_sided_polygon_mode(),
+                           p.logic_op(),        p.blend_color(),
+                           p.blend_minmax(),    p.blend_subtract(),
+                           p.draw_pixels(),     p.blend_separate(),
+                           p.blend_square(),    p.texture_sizes(),
+                           p.texture_wraps(),   p.texture_lod(),
+                           p.texture_combine(), p.texture_srgb()}};
 }
 
 class Decoder {
@@ -198,7 +202,8 @@ TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::
     Texture texture{.name = text(t.name()),
                     .format = our_enum<TextureFormat>(t.format()),
                     .dimensions = t.dimensions(),
-                    .border = t.border()};
+                    .border = t.border(),
+                    .srgb = t.srgb()};
     const std::size_t values = texels8.empty() ? texels16.size() : texels8.size();
     std::size_t next = 0;
     for (int i = 0; i < t.level_count(); ++i) {
@@ -232,10 +237,10 @@ TextureRef Decoder::texture(const gwt::Texture& t) {
             "a format, one dimension or a border without given levels; expected level_count 1 "
             "or more");
     if (!texels16.empty())
-        return make_whole_texture(text(t.name()), t.width(), t.height(), texels16);
+        return make_whole_texture(text(t.name()), t.width(), t.height(), texels16, t.srgb());
     std::vector<std::uint16_t> wide;
     for (const std::uint8_t v : texels8) wide.push_back(static_cast<std::uint16_t>(257 * v));
-    return make_whole_texture(text(t.name()), t.width(), t.height(), wide);
+    return make_whole_texture(text(t.name()), t.width(), t.height(), wide, t.srgb());
 }
 
 Command Decoder::command(const gwt::Draw& c) {

@@ -179,11 +179,11 @@ std::uint32_t Encoder::texture(const TextureRef& ref) {
     const auto name = out_.CreateString(ref->name);
     const auto stored8 = numbers(texels8);
     const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : texels16);
-    uses_version_2_ = uses_version_2_ || ref->given_levels;
+    uses_version_2_ = uses_version_2_ || ref->given_levels || ref->srgb;
     textures_.push_back(gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16,
                                            ref->given_levels ? int(ref->levels.size()) : 0,
                                            file_enum<gwt::TextureFormat>(ref->format),
-                                           ref->dimensions, ref->border));
+                                           ref->dimensions, ref->border, ref->srgb));
     return place;
 }
 
@@ -268,7 +268,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
-        e.texture_lod, e.texture_combine);
+        e.texture_lod, e.texture_combine, e.texture_srgb);
 }
 
 bool needs_version_2(const Profile& p) {

@@ -525,5 +525,39 @@ TEST(ManualTexture, TheEnvironmentAdd) {
               "command 0 (SetState): extension texture_combine is not in profile opengl");
 }
 
+// [R10.36]
+TEST(ManualTexture, SrgbTexels) {
+    EXPECT_EQ(srgb_values()[0], 0);
+    EXPECT_EQ(srgb_values()[10], 199);
+    EXPECT_EQ(srgb_values()[11], 219);
+    EXPECT_EQ(srgb_values()[128], 14146);
+    EXPECT_EQ(srgb_values()[255], 65535);
+    const std::vector<std::uint16_t> texel{128 * 257, 10 * 257, 65535, 128 * 257};
+    const auto looked_up = [&](bool srgb, int texel_bits) {
+        Profile profile = opengl();
+        profile.texel_bits = texel_bits;
+        Workbench bench(profile, 1, 1);
+        Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}}))};
+        draw.map.texture = make_whole_texture("s", 1, 1, texel, srgb);
+        bench.state.texture.env = TexEnv::Replace;
+        bench.draw(draw);
+        return bench.color(0, 0);
+    };
+    EXPECT_EQ(looked_up(false, 0), (Rgba{128, 10, 255, 128}));
+    EXPECT_EQ(looked_up(true, 0), (Rgba{55, 1, 255, 128}));
+    EXPECT_EQ(looked_up(true, 4), (Rgba{51, 0, 255, 136}));  // 3 and 8 of 15
+}
+
+// [R10.36]
+TEST(ManualTexture, SrgbIsAnExtension) {
+    Profile profile = opengl();
+    profile.extensions.texture_srgb = false;
+    Workbench bench(profile, 1, 1);
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}}))};
+    draw.map.texture = make_whole_texture("s", 1, 1, std::vector<std::uint16_t>(4), true);
+    EXPECT_EQ(test::error_of([&] { bench.draw(draw); }),
+              "command 1 (Draw): extension texture_srgb is not in profile opengl");
+}
+
 }  // namespace
 }  // namespace gw
