@@ -2,13 +2,14 @@
 import numpy as np
 
 from . import antialiasing, fog
+from .environment import environment
 from .fragments import FragmentStage
 from .geometry import PrimitiveStage
 from .numbers import one, rne
 from .rasterization import (Frame, OuterFrame, Perspective, covered, offset, quotient,
                             reciprocal)
 from .state import ColorSource, Resolved, ShadeModel, draw_box
-from .texture import TextureStage, environment, look_ups
+from .texture import TextureStage, look_ups
 from .texture_coordinates import divided_by_q
 
 

@@ -4,12 +4,13 @@ import math
 import numpy as np
 
 from . import fog
+from .environment import environment
 from .fragments import FragmentStage, colors_written
 from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
 from .state import (Plane, ReadBuffer, Resolved, corners_of, intersection, pixel_box,
                     stencil_write_mask)
-from .texture import Texture, environment, look_ups, texel_in_place
+from .texture import Texture, look_ups, texel_in_place
 
 
 def box_of(machine):

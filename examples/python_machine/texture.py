@@ -4,10 +4,9 @@ import math
 import numpy as np
 
 from .elementary import exp, power
-from .numbers import clamp, mul, one, quantize, rescale, to_integer_array
+from .numbers import clamp, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
-from .state import (CombineFunc, CombineOperand, CombineSource, MagFilter, MinFilter, TexEnv,
-                    TextureFormat, Wrap)
+from .state import MagFilter, MinFilter, TextureFormat, Wrap
 
 LINEAR_FILTERS = (MinFilter.Linear, MinFilter.LinearMipmapNearest, MinFilter.LinearMipmapLinear)
 
@@ -349,82 +348,6 @@ def between_levels(m):
 
 
 BETWEEN_LEVELS = np.array([between_levels(m) for m in range(256)], dtype=np.int64)
-
-
-def environment(f, t, state, form, bits):
-    """[R10.17], [R10.24], [R10.32] f: the fragments' colours, t: their texels, state: the whole."""
-    if state.texture.env == TexEnv.Combine:
-        return combined(f, t, state, form, bits)
-    return np.stack([environment_channel(f, t, state.texture, form, c, bits) for c in range(4)],
-                    axis=1)
-
-
-def environment_channel(f, t, state, form, c, bits):
-    env, fragment, texel = state.env, f[:, c], t[:, c]
-    lacks_alpha = form in (TextureFormat.RGB, TextureFormat.Luminance)
-    if c == 3 and (lacks_alpha or env == TexEnv.Decal):
-        return fragment
-    if c < 3 and form == TextureFormat.Alpha:
-        return fragment
-    if env == TexEnv.Replace:
-        return texel
-    if env == TexEnv.Modulate or (c == 3 and form != TextureFormat.Intensity):
-        return mul(fragment, texel, bits)
-    if env == TexEnv.Add:
-        return np.minimum(one(bits), fragment + texel)
-    weight = t[:, 3] if env == TexEnv.Decal else texel
-    other = texel if env == TexEnv.Decal else quantize(state.env_color[c], bits)
-    return mul(fragment, one(bits) - weight, bits) + mul(other, weight, bits)
-
-
-def arguments(rule, inputs, bits):
-    """[R10.33] Three arrays of R, G, B, A."""
-    result = []
-    for k in range(3):
-        value = inputs[getattr(rule, f"source{k}")]
-        operand = getattr(rule, f"operand{k}")
-        if operand in (CombineOperand.Alpha, CombineOperand.OneMinusAlpha):
-            value = np.repeat(value[:, 3:], 4, axis=1)
-        if operand in (CombineOperand.OneMinusColor, CombineOperand.OneMinusAlpha):
-            value = one(bits) - value
-        result.append(value)
-    return result
-
-
-def combine_function(rule, inputs, bits):
-    """[R10.34], [R10.35] All four channels."""
-    a, b, c = arguments(rule, inputs, bits)
-    half, most = 2**(bits - 1), one(bits)
-    if rule.func == CombineFunc.Replace:
-        v = a
-    elif rule.func == CombineFunc.Modulate:
-        v = mul(a, b, bits)
-    elif rule.func == CombineFunc.Add:
-        v = a + b
-    elif rule.func == CombineFunc.AddSigned:
-        v = a + b - half
-    elif rule.func == CombineFunc.Interpolate:
-        v = mul(a, c, bits) + mul(b, most - c, bits)
-    elif rule.func == CombineFunc.Subtract:
-        v = a - b
-    else:
-        dot = ((a[:, :3] - half) * (b[:, :3] - half)).sum(axis=1, keepdims=True)
-        v = np.repeat((8 * np.maximum(dot, 0) + most) // (2 * most), 4, axis=1)
-    return np.clip(rule.scale * v, 0, most)
-
-
-def combined(f, t, state, form, bits):
-    """[R10.32]"""
-    if form == TextureFormat.Alpha:
-        t = t.copy()
-        t[:, :3] = 0
-    constant = np.array([quantize(v, bits) for v in state.texture.env_color], np.int64)
-    inputs = {CombineSource.Texture: t, CombineSource.PrimaryColor: f, CombineSource.Previous: f,
-              CombineSource.Constant: np.repeat(constant[None, :], len(f), axis=0)}
-    result = combine_function(state.combine_rgb, inputs, bits)
-    if state.combine_rgb.func != CombineFunc.Dot3Rgba:
-        result[:, 3] = combine_function(state.combine_alpha, inputs, bits)[:, 3]
-    return result
 
 
 def look_ups(min_filter):

@@ -60,10 +60,11 @@ std::string refusal(std::vector<Command> commands, const Profile& profile = vgx(
 
 constexpr float nan = NAN, infinity = INFINITY;
 
-std::string refused_state(const std::function<void(State&)>& change) {
+std::string refused_state(const std::function<void(State&)>& change,
+                          const Profile& profile = vgx()) {
     SetState set;
     change(set.state.edit());
-    return refusal({set});
+    return refusal({set}, profile);
 }
 
 MeshRef a_mesh() { return make_mesh({.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}); }
@@ -107,24 +108,17 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.draw_buffer = DrawBuffer(4); });
     add([](State& s) { s.read_buffer = ReadBuffer::Back; });
     add([](State& s) { s.read_buffer = ReadBuffer(2); });
-    add([](State& s) { s.blend.src = BlendFactor::SrcColor; });
-    add([](State& s) { s.blend.src = BlendFactor::OneMinusSrcColor; });
-    add([](State& s) { s.blend.dst = BlendFactor::DstColor; });
-    add([](State& s) { s.blend.dst = BlendFactor::OneMinusDstColor; });
-    add([](State& s) { s.blend.dst = BlendFactor::SrcAlphaSaturate; });
-    add([](State& s) { s.blend.alpha.src = BlendFactor::SrcColor; });
-    add([](State& s) { s.blend.alpha.src = BlendFactor::OneMinusSrcColor; });
-    add([](State& s) { s.blend.alpha.dst = BlendFactor::DstColor; });
-    add([](State& s) { s.blend.alpha.dst = BlendFactor::OneMinusDstColor; });
-    add([](State& s) { s.blend.alpha.dst = BlendFactor::SrcAlphaSaturate; });
-    add([](State& s) {
-        s.fog.enable = true;
-        s.fog.start = nan;
-    });
-    add([](State& s) {
-        s.fog.enable = true;
-        s.fog.end = infinity;
-    });
+    for (const BlendFactor f : {BlendFactor::SrcColor, BlendFactor::OneMinusSrcColor}) {
+        add([f](State& s) { s.blend.src = f; });
+        add([f](State& s) { s.blend.alpha.src = f; });
+    }
+    for (const BlendFactor f :
+         {BlendFactor::DstColor, BlendFactor::OneMinusDstColor, BlendFactor::SrcAlphaSaturate}) {
+        add([f](State& s) { s.blend.dst = f; });
+        add([f](State& s) { s.blend.alpha.dst = f; });
+    }
+    add([](State& s) { s.fog = {.enable = true, .start = nan}; });
+    add([](State& s) { s.fog = {.enable = true, .end = infinity}; });
     add([](State& s) {
         s.fog.enable = true;
         s.fog.color.y = nan;
@@ -143,18 +137,13 @@ std::vector<std::string> refused_states() {
     add([](State& s) { s.texture.combine_rgb.scale = 3; });
     add([](State& s) { s.texture.combine_alpha.scale = 0; });
     add([](State& s) { s.texture.combine_alpha.func = CombineFunc::Dot3Rgb; });
-    for (float TextureLodState::*member :
-         {&TextureLodState::bias, &TextureLodState::min, &TextureLodState::max}) {
-        SetState set;
-        set.state.edit().texture.lod.*member = nan;
-        out.push_back(refusal({set}, opengl()));
-    }
-    for (int TextureLodState::*member :
-         {&TextureLodState::base_level, &TextureLodState::max_level}) {
-        SetState set;
-        set.state.edit().texture.lod.*member = 1001;
-        out.push_back(refusal({set}, opengl()));
-    }
+    const auto add_level = [&](auto TextureLodState::*member, auto value) {
+        out.push_back(refused_state([&](State& s) { s.texture.lod.*member = value; }, opengl()));
+    };
+    for (const auto f : {&TextureLodState::bias, &TextureLodState::min, &TextureLodState::max})
+        add_level(f, nan);
+    add_level(&TextureLodState::base_level, 1001);
+    add_level(&TextureLodState::max_level, -1);
     return out;
 }
 
