@@ -1,7 +1,7 @@
 #include "gw/profile_text.h"
 
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <fmt/format.h>
 
@@ -62,11 +62,12 @@ void set_member(Profile& profile, std::string_view word) {
             std::from_chars(digits.data(), digits.data() + digits.size(), value);
         if (error != std::errc() || end != digits.data() + digits.size() || value < 0 ||
             value > m.most)
-            throw Error(fmt::format("'{}': expected a whole number, 0 to {}", shown(word), m.most));
+            throw Error(fmt::format("'{}': expected a whole number, 0 to {}", escape_controls(word),
+                                    m.most));
         return m.set(profile, value);
     }
-    throw Error(
-        fmt::format("'{}': expected a member of a profile, such as depth_bits=32", shown(word)));
+    throw Error(fmt::format("'{}': expected a member of a profile, such as depth_bits=32",
+                            escape_controls(word)));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "apps/command/table.h"
 
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ Rows part_of(const Rows& rows, std::size_t from, std::size_t to) {
 
 std::string table(std::vector<std::vector<std::string>> rows) {
     for (auto& row : rows)
-        for (std::string& cell : row) cell = shown(cell);
+        for (std::string& cell : row) cell = escape_controls(cell);
     std::vector<std::size_t> widths(rows.front().size());
     for (const auto& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());

@@ -7,7 +7,8 @@
 
 namespace gw::apps {
 
-/// Each row has as many words as the first. Words are shown (gw/shown.h): a name cannot add a row.
+/// Each row has as many words as the first. Their control characters are escaped
+/// (gw/escape_controls.h): a name cannot add a row.
 std::string table(std::vector<std::vector<std::string>> rows);
 
 /// The table in as few parts as lines of `width` characters allow, an empty line between them. Each

@@ -1,7 +1,7 @@
 #include "apps/command/terminal.h"
 
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -29,7 +29,7 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) >> 6) =
 
 }  // namespace
 
-std::string without_controls(std::string_view text) { return shown(text, "\n\t"); }
+std::string without_controls(std::string_view text) { return escape_controls(text, "\n\t"); }
 
 std::string as_one_line(std::string_view text) {
     constexpr std::size_t most_before = 1200, most_after = 600;
@@ -38,9 +38,10 @@ std::string as_one_line(std::string_view text) {
         std::size_t end = most_before, begin = text.size() - most_after;
         while (end > 0 && continues_character(text[end])) --end;
         while (begin < text.size() && continues_character(text[begin])) ++begin;
-        return shown(text.substr(0, end)) + " [...] " + shown(text.substr(begin));
+        return escape_controls(text.substr(0, end)) + " [...] " +
+               escape_controls(text.substr(begin));
     }
-    return shown(text);
+    return escape_controls(text);
 }
 
 SilenceStdout::SilenceStdout() { ++muted; }

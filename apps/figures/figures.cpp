@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/figures/figure_table.h"
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "image/output/output_set.h"
 
 #include <fmt/format.h>
@@ -159,7 +159,7 @@ int make_figures(const FiguresOptions& options) {
     const auto all = wanted_figures(options.only);
     for (std::size_t i = 0; i < all.size(); ++i)
         make_figure(*all[i], options, progress, fmt::format("figure {} of {}", i + 1, all.size()));
-    print(shown((options.folder / "index.html").string()) + "\n");
+    print(escape_controls((options.folder / "index.html").string()) + "\n");
     return Done;
 }
 

@@ -9,8 +9,8 @@
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
+#include "gw/escape_controls.h"
 #include "gw/profile.h"
-#include "gw/shown.h"
 #include "image/write.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/recording/recording.h"
@@ -199,7 +199,8 @@ void check(const GoldenRecording& golden, const GoldenOptions& options, Tally& t
                                    options.machine.make());
     if (!finding) return;
     ++tally.different;
-    print(shown((golden.has_manifest() ? options.manifest(golden) : options.table()).string()) +
+    print(escape_controls(
+              (golden.has_manifest() ? options.manifest(golden) : options.table()).string()) +
           ": " + (golden.has_manifest() ? "" : golden.name + ", ") +
           text(*finding, golden.recording.height));
     keep(options, golden);
@@ -219,7 +220,7 @@ void update(const GoldenRecording& golden, const GoldenOptions& options, Tally& 
 void report_unknown(const std::string& where, const GoldenOptions& options, Tally& tally) {
     if (options.update) return;
     ++tally.different;
-    print(shown(where) + ": no panel of this figure makes it\n");
+    print(escape_controls(where) + ": no panel of this figure makes it\n");
 }
 
 /// Reports, or with --update removes, goldens that none of the figure's panels makes any more.

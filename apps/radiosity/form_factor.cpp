@@ -2,7 +2,7 @@
 
 #include "apps/command/terminal.h"
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <fmt/format.h>
 
@@ -58,8 +58,8 @@ void print_form_factor(const RadiosityOptions& options, const radiosity::PixmapM
     const auto [ba, area_b] = form_factor(model, factors, b, a, progress);
     const auto line = [](const std::string& from, const std::string& to, double factor,
                          double area) {
-        return fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\n", shown(from), shown(to), factor,
-                           area);
+        return fmt::format("F({} -> {}) = {:.9f}   area {:.9g}\n", escape_controls(from),
+                           escape_controls(to), factor, area);
     };
     print(line(a, b, ab, area_a) + line(b, a, ba, area_b));
     if (ab > 0 && ba > 0)

@@ -3,7 +3,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "conformance/suite.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "image/output/output_set.h"
 #include "inspect/compare/verify.h"
 
@@ -68,8 +68,8 @@ int write_suite(const ConformanceOptions& options) {
         }
         output.commit();  // after each group, so that few files are open at once
     }
-    print(fmt::format("{}: {} recordings and their manifests\n", shown(options.folder.string()),
-                      count));
+    print(fmt::format("{}: {} recordings and their manifests\n",
+                      escape_controls(options.folder.string()), count));
     return Done;
 }
 

@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "image/output/output_folder.h"
 #include "inspect/report/report.h"
 #include "inspect/text/plural.h"
@@ -93,7 +93,7 @@ void check(const report::ReportOptions& options) {
 [[noreturn]] void rethrow_with_final_names(const Error& error, const InspectOptions& options,
                                            const std::filesystem::path& temporary) {
     std::string text = error.what();
-    const std::string hidden = shown(temporary.string());
+    const std::string hidden = escape_controls(temporary.string());
     if (const auto at = text.find(hidden); at != text.npos)
         text.replace(at, hidden.size(), options.folder.string());
     throw Error(text);
@@ -101,7 +101,7 @@ void check(const report::ReportOptions& options) {
 
 void print_summary(const InspectOptions& options, const report::ReportSummary& summary) {
     const char* opened = summary.page ? "index.html" : "data.js";
-    std::string text = shown((options.folder / opened).string()) + "\n";
+    std::string text = escape_controls((options.folder / opened).string()) + "\n";
     text +=
         fmt::format("{} of {}, {:.1f} MB", summary.passes,
                     inspect::plural(std::uint64_t(summary.passes_of_recording), "pass", "passes"),

@@ -7,7 +7,7 @@
 #include "apps/recordings/on_opengl.h"
 #include "apps/recordings/recording_files.h"
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "image/plane_pictures.h"
 #include "image/planes.h"
 #include "image/write.h"
@@ -76,7 +76,8 @@ bool replay_on(const ReplayOptions& options, const inspect::Recording& recording
             options.picture,
             image::distance_picture(worst.distances, recording.width, recording.height));
         print(fmt::format("{}: the colours after pass \"{}\", {}\n", options.picture.string(),
-                          shown(worst.name), inspect::plural(worst.pixels, "pixel", "pixels")));
+                          escape_controls(worst.name),
+                          inspect::plural(worst.pixels, "pixel", "pixels")));
     }
     return comparison.same;
 }
@@ -89,7 +90,8 @@ int replay_on_opengl(const ReplayOptions& options, Session& session) {
         throw UsageError("--output: one picture; expected --window");
     bool same = true;
     for (const inspect::WindowRecording& window : stream.windows) {
-        if (stream.windows.size() > 1) print(fmt::format("window {}\n", shown(window.name)));
+        if (stream.windows.size() > 1)
+            print(fmt::format("window {}\n", escape_controls(window.name)));
         same = replay_on(options, window.recording) && same;
     }
     return same ? Done : Differs;
@@ -134,7 +136,7 @@ int replay(const ReplayOptions& options, Session& session) {
         fmt::format("{}, {}, {} x {} pixels on profile {}{}\n",
                     inspect::plural(machine->passes().size(), "pass", "passes"),
                     inspect::plural(inspect::command_count(recording), "command", "commands"),
-                    recording.width, recording.height, shown(recording.profile.name),
+                    recording.width, recording.height, escape_controls(recording.profile.name),
                     options.machine.both()
                         ? ": reference and fast agree in every plane and counter after every pass"
                         : "");

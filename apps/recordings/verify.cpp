@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/recordings/machine_options.h"
 #include "apps/recordings/recording_files.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "image/output/output_set.h"
 #include "inspect/text/plural.h"
 
@@ -38,7 +38,7 @@ int update(const VerifyOptions& options, const inspect::Recording& recording,
     image::OutputSet output(session.inputs);
     put_manifest(output, options.manifest, recording, options.machine.make(), options.values);
     output.commit();
-    print(shown(options.manifest.string()) + ": written\n");
+    print(escape_controls(options.manifest.string()) + ": written\n");
     return Done;
 }
 
@@ -51,8 +51,8 @@ int report(const inspect::Verification& verification, const VerifyOptions& optio
     else
         print(
             "  the commands are those of the manifest: the machine is not the one that wrote it\n");
-    print(fmt::format("{}: not as {} says\n", shown(options.recording.file.string()),
-                      shown(options.manifest.string())));
+    print(fmt::format("{}: not as {} says\n", escape_controls(options.recording.file.string()),
+                      escape_controls(options.manifest.string())));
     return Differs;
 }
 
@@ -74,10 +74,12 @@ int check(const VerifyOptions& options, const inspect::Recording& recording, Pro
     if (!verification.same_commands)
         print(fmt::format(
             "{}: its commands are not those of {}, though they make the same planes{}\n",
-            shown(options.recording.file.string()), shown(options.manifest.string()),
+            escape_controls(options.recording.file.string()),
+            escape_controls(options.manifest.string()),
             verification.same_scene ? "" : "; meshes or maps differ too"));
     print(fmt::format("{}: as {} says, {}, every plane and counter{}\n",
-                      shown(options.recording.file.string()), shown(options.manifest.string()),
+                      escape_controls(options.recording.file.string()),
+                      escape_controls(options.manifest.string()),
                       inspect::plural(expected.manifest.passes.size(), "pass", "passes"),
                       options.machine.both() ? ", on reference and fast" : ""));
     return Done;

@@ -2,8 +2,8 @@
 
 #include "gw/base/leaked_static.h"
 #include "gw/error.h"
+#include "gw/escape_controls.h"
 #include "gw/profile_text.h"
-#include "gw/shown.h"
 
 #include <algorithm>
 #include <charconv>
@@ -76,8 +76,8 @@ FrameRange read_frame_range() {
 }
 
 void report_ignored(std::string_view variable, std::string_view value, std::string_view expected) {
-    const std::string line = "gw: " + std::string(variable) + " is '" + shown(value) + "'; " +
-                             std::string(expected) + "; it is ignored\n";
+    const std::string line = "gw: " + std::string(variable) + " is '" + escape_controls(value) +
+                             "'; " + std::string(expected) + "; it is ignored\n";
     std::fputs(line.c_str(), stderr);
 }
 

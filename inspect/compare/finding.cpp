@@ -1,7 +1,7 @@
 #include "inspect/compare/finding.h"
 
+#include "gw/escape_controls.h"
 #include "gw/names.h"
-#include "gw/shown.h"
 
 #include <fmt/format.h>
 
@@ -46,8 +46,8 @@ std::string text(const Finding& f, int height) {
             fmt::format(": expected {}, got {}", f.expected.empty() ? "(not known)" : f.expected,
                         f.actual.empty() ? "nothing" : f.actual);
     if (!f.stage.empty()) line += "; stage: " + f.stage;
-    line = shown(line) + "\n";
-    for (const std::string& note : f.notes) line += "  " + shown(note) + "\n";
+    line = escape_controls(line) + "\n";
+    for (const std::string& note : f.notes) line += "  " + escape_controls(note) + "\n";
     return line;
 }
 

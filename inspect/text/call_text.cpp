@@ -1,6 +1,6 @@
 #include "inspect/text/call_text.h"
 
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <fmt/format.h>
 
@@ -38,18 +38,19 @@ std::string words_before(const CallTable& table, const Call& call) {
             fmt::format("call {} {}{}, list {}: {}", caller.number,
                         table.functions[caller.function], source_words(table, caller), name, words);
     }
-    return shown(words) + "call ";
+    return escape_controls(words) + "call ";
 }
 
 CallWords words_of(const CallTable& table, const CallRun& run, const Command& command) {
     const auto* const draw = std::get_if<Draw>(&command);
-    return {run.first,
-            words_before(table, run.call),
-            run.call.number,
-            run.step,
-            shown(" " + table.functions[run.call.function] + source_words(table, run.call)),
-            draw ? primitive_word(draw->mesh->data().primitive) : "",
-            run.ordinal};
+    return {
+        run.first,
+        words_before(table, run.call),
+        run.call.number,
+        run.step,
+        escape_controls(" " + table.functions[run.call.function] + source_words(table, run.call)),
+        draw ? primitive_word(draw->mesh->data().primitive) : "",
+        run.ordinal};
 }
 
 /// The runs of a command.

@@ -1,6 +1,6 @@
 #include "multipass/passes/pass.h"
 
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "multipass/passes/tokens.h"
 
 #include <fmt/format.h>
@@ -81,7 +81,7 @@ std::string to_string(const PassMaterial& m) {
 }
 
 std::string to_string(const Pass& pass) {
-    std::string text = fmt::format("{:<11} ", shown(pass.name.view()));
+    std::string text = fmt::format("{:<11} ", escape_controls(pass.name.view()));
     text += action_text(pass);
     if (pass.lights != PassLights::None) text += fmt::format("; lights {}", token(pass.lights));
     text += objects_text(pass) + depth_text(pass.depth) + stencil_text(pass.stencil) +

@@ -1,6 +1,6 @@
 #include "scene/text/suggest.h"
 
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <algorithm>
 
@@ -39,9 +39,9 @@ std::string unknown(std::string_view what, std::string_view name,
 }
 
 std::string printable(std::string_view text, std::size_t most) {
-    if (text.size() <= most) return shown(text);
+    if (text.size() <= most) return escape_controls(text);
     while (most > 0 && (static_cast<unsigned char>(text[most]) >> 6) == 2) --most;
-    return shown(text.substr(0, most)) + "...";
+    return escape_controls(text.substr(0, most)) + "...";
 }
 
 }  // namespace gw::scene

@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "hiddensurface/interface/algorithm.h"
 #include "image/write.h"
 #include "scene/text/text_file.h"
@@ -114,7 +114,7 @@ int fragments(const FragmentsOptions& options, Session& session) {
                              marked(picture_of_ids(input, z_buffer, flat_colors(input)), grade));
     print(options.form == Form::Json
               ? json_of(grade)
-              : text_of(grade, shown(name)) + hint_of(grade, options.picture.size));
+              : text_of(grade, escape_controls(name)) + hint_of(grade, options.picture.size));
     return grade.all_right() ? Done : Differs;
 }
 

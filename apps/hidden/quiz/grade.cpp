@@ -4,7 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/hidden/options.h"
 #include "gw/error.h"
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 #include "hiddensurface/quiz/quiz.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -170,7 +170,8 @@ void warn_of_strangers(const std::filesystem::path& answers, const std::set<std:
     }
     for (const std::filesystem::path& path : strangers)
         print_warning(fmt::format("{}: belongs to no student; expected {}.json or {}/answers.json",
-                                  shown(path.string()), *folders.begin(), *folders.begin()));
+                                  escape_controls(path.string()), *folders.begin(),
+                                  *folders.begin()));
 }
 
 std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesystem::path& keys,

@@ -1,4 +1,4 @@
-#include "gw/shown.h"
+#include "gw/escape_controls.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -40,7 +40,7 @@ bool is_printable(std::uint32_t code) {
 
 }  // namespace
 
-std::string shown(std::string_view text, std::string_view kept) {
+std::string escape_controls(std::string_view text, std::string_view kept) {
     constexpr std::string_view digits = "0123456789abcdef";
     std::string result;
     while (!text.empty()) {

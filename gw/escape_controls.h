@@ -9,6 +9,6 @@ namespace gw {
 
 /// Writes as \\x1b: control characters except those of `kept`, Unicode's line separators, marks that
 /// turn the direction of writing, and bytes that are not UTF-8. Shown text stays as it is.
-std::string shown(std::string_view text, std::string_view kept = {});
+std::string escape_controls(std::string_view text, std::string_view kept = {});
 
 }  // namespace gw
