@@ -162,6 +162,19 @@ function(gw_library folder)
     set_target_properties(gw_${name} PROPERTIES EXPORT_NAME ${name})
 endfunction()
 
+# gw_module(NAME SOURCES file... [LINK library...]): lib/libgw_NAME.so, loaded at run time; so its
+# libraries cost nothing until then.
+set(GW_ERRORS ${PROJECT_SOURCE_DIR}/gw/error.cpp ${PROJECT_SOURCE_DIR}/gw/escape_controls.cpp)
+function(gw_module name)
+    cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;LINK")
+    add_library(gw_${name} MODULE ${arg_SOURCES} ${GW_ERRORS})
+    gw_compile(gw_${name})
+    set_target_properties(gw_${name} PROPERTIES CXX_VISIBILITY_PRESET hidden
+        LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+    target_include_directories(gw_${name} PRIVATE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(gw_${name} PRIVATE ${arg_LINK})
+endfunction()
+
 # gw_embed(TARGET FUNCTION HEADER FILE...): the bytes of the files, built in. The header declares
 # the function: a file's bytes by its name; empty for any other name.
 function(gw_embed target function header)

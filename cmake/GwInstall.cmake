@@ -34,6 +34,9 @@ if(TARGET gw_formats)
     install(TARGETS gw_formats EXPORT gw LIBRARY DESTINATION ${modules} COMPONENT command)
     install(TARGETS gw_decode RUNTIME DESTINATION ${modules} COMPONENT command)
 endif()
+if(TARGET gw_window)
+    install(TARGETS gw_window LIBRARY DESTINATION ${modules} COMPONENT command)
+endif()
 
 if(TARGET gw)
     foreach(library gw_glx gw_osmesa)  # which `gw gl` gives to programs

@@ -10,10 +10,27 @@
 namespace gw::apps {
 namespace {
 
+/// How often finished work is looked for.
+constexpr std::chrono::milliseconds busy_wait{1}, idle_wait{50};
+
 struct ViewOptions {
     PictureOptions picture;
     std::filesystem::path folder{"."};
 };
+
+void show_window(Viewer& viewer, const std::string& title) {
+    const image::Picture first = viewer.screen();
+    const std::unique_ptr<Window> window = open_window(title, first.width, first.height);
+    window->show(first);
+    while (!viewer.is_finished()) {
+        auto wait = viewer.is_busy() ? busy_wait : idle_wait;
+        while (const auto input = window->next_input(wait)) {
+            viewer.handle(*input);
+            wait = {};
+        }
+        if (viewer.advance()) window->show(viewer.screen());
+    }
+}
 
 int view(const ViewOptions& options, Session& session) {
     if (!std::filesystem::is_directory(options.folder))
