@@ -31,7 +31,7 @@ inspect::Recording recording_of(const Case& c, const std::string& name) {
     return out;
 }
 
-/// A foreign machine may be slow, and all recordings together stay below 4 MB.
+/// A foreign machine may be slow, and all recordings together stay below 16 MB.
 bool is_small(const inspect::Recording& recording) {
     constexpr int most_pixels = 3000;
     constexpr std::size_t most_bytes = 20000;
