@@ -116,6 +116,10 @@ const std::vector<Group>& all_groups() {
          texture_combine_case, 24, color, {&C::texels, &C::alpha_killed, &C::written}},
         {"texture-srgb", "textures whose colours are encoded as in sRGB", "R10.36",
          texture_srgb_case, 12, color, {&C::texels, &C::written}},
+        {"secondary-color", "secondary colours of vertices and lights, added after texture", "R8.11-R8.13 R5.9",
+         secondary_color_case, 24, color, {&C::clipped, &C::texels, &C::written}},
+        {"fog-coordinate", "fog by coordinates of the vertices, of any size and sign", "R11.8 R5.9",
+         fog_coordinate_case, 24, color, {&C::clipped, &C::written}},
     };
     return all;
 }

@@ -54,6 +54,8 @@ struct CurrentValues {
     vec4 color{1, 1, 1, 1};
     vec3 normal{0, 0, 1};
     vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
+    vec3 secondary_color{0, 0, 0};
+    float fog_coordinate = 0;
     bool operator==(const CurrentValues&) const = default;
 };
 
@@ -127,6 +129,8 @@ struct RasterPosition {
     Rgba color{};               ///< each channel <= 2^color_bits - 1
     vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q after the texture matrix
     double distance = 0;        ///< from the eye, for fog: >= 0
+    Rgba secondary_color{};     ///< each channel <= 2^color_bits - 1; the last is unused
+    double fog_coordinate = 0;  ///< in place of the distance, for FogSource::Coordinate
     bool operator==(const RasterPosition&) const = default;
 };
 

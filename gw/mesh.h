@@ -48,6 +48,8 @@ struct MeshData {
     /// the draw's
     std::vector<FaceMaterials> materials;
     std::vector<std::uint32_t> material_indices;
+    std::vector<vec3> secondary_colors;  ///< used if lighting is off. Empty: the current one
+    std::vector<float> fog_coordinates;  ///< Empty: the current one
     bool operator==(const MeshData&) const = default;
 };
 

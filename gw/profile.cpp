@@ -60,7 +60,9 @@ Profile opengl() {
                     .texture_wraps = true,
                     .texture_lod = true,
                     .texture_combine = true,
-                    .texture_srgb = true};
+                    .texture_srgb = true,
+                    .secondary_color = true,
+                    .fog_coordinate = true};
     return p;
 }
 
@@ -86,6 +88,8 @@ std::span<const ExtensionName> extension_names() {
         {"texture_lod", &Extensions::texture_lod},
         {"texture_combine", &Extensions::texture_combine},
         {"texture_srgb", &Extensions::texture_srgb},
+        {"secondary_color", &Extensions::secondary_color},
+        {"fog_coordinate", &Extensions::fog_coordinate},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -35,6 +35,8 @@ struct Extensions {
     bool texture_lod = false;             ///< TextureLodState
     bool texture_combine = false;         ///< TexEnv::Add, Combine
     bool texture_srgb = false;            ///< Texture::srgb
+    bool secondary_color = false;         ///< a second colour, added after texture
+    bool fog_coordinate = false;          ///< FogSource::Coordinate
     bool operator==(const Extensions&) const = default;
 };
 

@@ -142,17 +142,25 @@ struct LightingState {
     bool two_side = false;           ///< back faces are lit with the reversed normal
     vec4 model_ambient{0, 0, 0, 1};  ///< GL's initial value is 0.2; the papers have no such term
     ColorMaterialState color_material;
+    /// extension secondary_color: highlights are a colour of their own, added after texture
+    bool separate_specular = false;
     bool operator==(const LightingState&) const = default;
 };
 
 enum class FogMode : std::uint8_t { Linear, Exp, Exp2 };
 enum class FogCoordinate : std::uint8_t { Profile, Vertex, Fragment };
+/// The distance of fog.
+enum class FogSource : std::uint8_t {
+    Depth,       ///< in front of the eye
+    Coordinate,  ///< extension fog_coordinate: the vertex's fog coordinate, of any sign
+};
 struct FogState {
     bool enable = false;
     FogMode mode = FogMode::Exp;
     float density = 1, start = 0, end = 1;  ///< in eye units
     vec4 color{0, 0, 0, 0};
     FogCoordinate coordinate = FogCoordinate::Profile;
+    FogSource source = FogSource::Depth;
     bool operator==(const FogState&) const = default;
 };
 
@@ -310,6 +318,7 @@ struct State {
     ShadeModel shade_model = ShadeModel::Smooth;
     ColorSource color_source = ColorSource::Vertex;
     LightingState lighting;
+    bool color_sum = false;  ///< extension secondary_color: of ColorSource::Vertex
     FogState fog;
     TextureState texture;  ///< how texels are used; the draw names the texture
     ScissorState scissor;
@@ -323,6 +332,12 @@ struct State {
     ReadBuffer read_buffer = ReadBuffer::Front;
     bool operator==(const State&) const = default;
 };
+/// Whether fragments add their secondary colour after texture.
+constexpr bool sums_colors(const State& s) {
+    return s.color_source == ColorSource::Lighting
+               ? s.lighting.separate_specular
+               : s.color_sum && s.color_source == ColorSource::Vertex;
+}
 /// Whether a primitive of any kind is antialiased.
 constexpr bool antialiases(const State& s) {
     return s.point_smooth || s.line_smooth || s.polygon_smooth;

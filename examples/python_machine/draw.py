@@ -2,13 +2,14 @@
 import numpy as np
 
 from . import antialiasing, fog
+from .color_sum import summed, sums_colors
 from .environment import environment
 from .fragments import FragmentStage
 from .geometry import PrimitiveStage
 from .numbers import one, rne
 from .rasterization import (Frame, OuterFrame, Perspective, covered, offset, quotient,
                             reciprocal)
-from .state import ColorSource, Resolved, ShadeModel, draw_box
+from .state import ColorSource, FogSource, Resolved, ShadeModel, draw_box
 from .texture import TextureStage, look_ups
 from .texture_coordinates import divided_by_q
 
@@ -67,11 +68,14 @@ class PixelStage:
         if len(x) == 0:
             return
         depths = self.depths(ready, frame, x, y)
-        colors = self.colors(ready, frame, x, y)
+        colors = self.colors(ready, frame, x, y, [c.color for c in ready.corners])
         if self.texture:
             texels = self.texture.texels(frame, ready.corners, x, y)
             colors = environment(colors, texels, self.state, self.texture.texture.format,
                                  bits)
+        if sums_colors(self.state):
+            colors = summed(colors, self.colors(ready, frame, x, y,
+                                                [c.secondary for c in ready.corners]), bits)
         if self.fog:
             colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)
         if coverage is not None:
@@ -93,10 +97,9 @@ class PixelStage:
             values = np.clip(moved, 0, one(self.profile.depth_bits))
         return values
 
-    def colors(self, ready, frame, x, y):
-        """[R9.10], [R9.16]"""
-        given = [c.color for c in ready.corners]
-        channels = [[color[c] for color in given] for c in range(4)]
+    def colors(self, ready, frame, x, y, given):
+        """[R9.10], [R9.16], [R8.12] given: a colour of each corner, primary or secondary."""
+        channels = [[color[c] for color in given] for c in range(len(given[0]))]
         if not (self.profile.perspective_color and self.state.shade_model == ShadeModel.Smooth):
             return np.stack([frame.plane(values).at(x, y) for values in channels], axis=1)
         most = one(self.profile.color_bits)
@@ -111,11 +114,16 @@ class PixelStage:
         return np.stack(result, axis=1)
 
     def fog_factors(self, ready, frame, x, y):
-        """[R11.5], [R11.6]"""
+        """[R11.5], [R11.6], [R11.8]"""
         values = [c.vertex.fog for c in ready.corners]
-        if not self.fog_table:
+        if not fog.per_fragment(self.state, self.profile):
             return frame.plane([rne(v) for v in values]).at(x, y)
         perspective = Perspective(frame, [c.w for c in ready.corners])
+        W = reciprocal(perspective.q, x, y)
+        if self.state.fog_source == FogSource.Coordinate:
+            plane, e = perspective.value(values, min(values), 512)
+            return fog.factors_of_coordinates(self.state, quotient(plane, W, x, y), e,
+                                              min(values), self.profile.color_bits)
         plane, e = perspective.value([abs(v) for v in values], 0, 40)
-        u = quotient(plane, reciprocal(perspective.q, x, y), x, y)
+        u = quotient(plane, W, x, y)
         return self.fog_table.factors(u, e)

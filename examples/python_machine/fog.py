@@ -5,7 +5,7 @@ import numpy as np
 
 from .elementary import exp
 from .numbers import bounded, divide, larger, mul, quantize
-from .state import FogCoordinate, FogMode
+from .state import FogCoordinate, FogMode, FogSource
 
 LN2 = float.fromhex("0x1.62e42fefa39efp-1")
 
@@ -26,12 +26,28 @@ def per_fragment(state, profile):
     return state.fog.coordinate == FogCoordinate.Fragment
 
 
-def vertex_value(state, profile, p_eye):
-    """[R11.3], [R11.5], [R11.6] The value that clipping interpolates."""
-    z = bounded(-p_eye[2], 2.0**200)
+def vertex_value(state, profile, p_eye, coordinate):
+    """[R11.3], [R11.5], [R11.6], [R11.8] The value that clipping interpolates."""
+    given = state.fog_source == FogSource.Coordinate
+    z = bounded(coordinate if given else -p_eye[2], 2.0**200)
     if per_fragment(state, profile):
-        return divide(z, table_depth(state.fog, profile.color_bits))
-    return float(factor(state.fog, z if z > 0 else 0.0, profile.color_bits))
+        return divide(z, unit(state, profile.color_bits))
+    return float(factor(state.fog, z if given or z > 0 else 0.0, profile.color_bits))
+
+
+def unit(state, bits):
+    """[R11.6], [R11.8] The distance that is 1 in values of fog per fragment."""
+    fog = state.fog
+    if state.fog_source == FogSource.Coordinate and fog.mode == FogMode.Linear:
+        return abs(fog.end - fog.start)
+    return table_depth(fog, bits)
+
+
+def factors_of_coordinates(state, u, e, k, bits):
+    """[R11.8] u: float32 of pixels."""
+    scale = unit(state, bits)
+    return np.array([factor(state.fog, scale * (k + float(v) * 2.0**e), bits) for v in u],
+                    dtype=np.int64)
 
 
 def table_depth(fog, bits):

@@ -16,6 +16,7 @@ class Vertex:
     clip: tuple
     distances: tuple  # to the six user planes
     colors: tuple  # front and back, four integers each
+    secondary: tuple = ((0, 0, 0), (0, 0, 0))  # likewise, three each
     texture: tuple = (0.0, 0.0, 0.0, 1.0)
     fog: float = 0.0
 
@@ -52,7 +53,7 @@ class VertexStage:
         n = self.normal(mesh.normals[i] if mesh.normals else self.current.normal)
         distances = tuple(dot4(plane.plane, p_eye) if plane.enable else 0.0
                           for plane in state.clip_planes)
-        vertex = Vertex(clip, distances, self.colors(i, point, n))
+        vertex = Vertex(clip, distances, *self.colors(i, point, n))
         if self.draw.is_textured():
             own = self.current.texcoord
             if mesh.texcoords:
@@ -63,26 +64,31 @@ class VertexStage:
                 s, _, r, q = vertex.texture  # [R10.26]
                 vertex.texture = (s, 0.0, r, q)
         if state.fog.enable:
-            vertex.fog = fog.vertex_value(state, self.profile, point)
+            coordinate = (mesh.fog_coordinates[i] if mesh.fog_coordinates
+                          else self.current.fog_coordinate)
+            vertex.fog = fog.vertex_value(state, self.profile, point, coordinate)
         return vertex
 
     def colors(self, i, point, n):
-        """[R6.12]"""
+        """[R6.12], [R8.12] Colours and secondary colours, each of front and back."""
         mesh, bits = self.draw.mesh, self.profile.color_bits
         if self.state.color_source == ColorSource.Lighting:
             front = self.lit(i, Face.Front, point, n)
             if not self.state.lighting.two_side:
-                return front, front
-            return front, self.lit(i, Face.Back, point, tuple(-x for x in n))
+                return (front[0], front[0]), (front[1], front[1])
+            back = self.lit(i, Face.Back, point, tuple(-x for x in n))
+            return (front[0], back[0]), (front[1], back[1])
         front = tuple(quantize(v, bits) for v in self.color(i))
-        return front, front
+        secondary = tuple(quantize(v, bits) for v in (
+            mesh.secondary_colors[i] if mesh.secondary_colors else self.current.secondary_color))
+        return (front, front), (secondary, secondary)
 
     def color(self, i):
         return self.draw.mesh.colors[i] if self.draw.mesh.colors else self.current.color
 
     def lit(self, i, face, p, n):
         material = lighting.material_at(self.state, self.draw, i, face, self.color(i))
-        return lighting.lit_color(self.profile, self.state, material, self.draw.lights, p, n)
+        return lighting.lit_colors(self.profile, self.state, material, self.draw.lights, p, n)
 
     def id_color(self, polygon):
         """[R6.13]"""
@@ -155,9 +161,12 @@ def between(inside, outside, d_inside, d_outside):
     def mix(a, b):
         return tuple(x + t * (y - x) for x, y in zip(a, b))
 
+    def mix_colors(a, b):
+        return tuple(tuple(rne(v) for v in mix(x, y)) for x, y in zip(a, b))
+
     return Vertex(mix(inside.clip, outside.clip), mix(inside.distances, outside.distances),
-                  tuple(tuple(rne(v) for v in mix(a, b))
-                        for a, b in zip(inside.colors, outside.colors)),
+                  mix_colors(inside.colors, outside.colors),
+                  mix_colors(inside.secondary, outside.secondary),
                   mix(inside.texture, outside.texture),
                   inside.fog + t * (outside.fog - inside.fog))
 
@@ -173,6 +182,7 @@ class Corner:
     Z: int
     vertex: Vertex
     color: tuple = ()
+    secondary: tuple = (0, 0, 0)
 
     @property
     def w(self):
@@ -341,11 +351,13 @@ class PrimitiveStage:
         side = 0 if front else 1
         if self.state.color_source == ColorSource.PolygonId:
             colors = [self.vertices.id_color(primitive.polygon)] * len(corners)
-        elif self.state.shade_model == ShadeModel.Flat:
-            colors = [self.cache[primitive.flat].colors[side]] * len(corners)
+            secondary = [(0, 0, 0)] * len(corners)
         else:
-            colors = [c.vertex.colors[side] for c in corners]
+            flat = self.state.shade_model == ShadeModel.Flat
+            given = [self.cache[primitive.flat] if flat else c.vertex for c in corners]
+            colors = [v.colors[side] for v in given]
+            secondary = [v.secondary[side] for v in given]
         jitter = self.state.jitter
-        moved = tuple(replace(c, X=c.X + jitter.x, Y=c.Y + jitter.y, color=color)
-                      for c, color in zip(corners, colors))
+        moved = tuple(replace(c, X=c.X + jitter.x, Y=c.Y + jitter.y, color=color, secondary=second)
+                      for c, color, second in zip(corners, colors, secondary))
         return Ready(moved, front, filled, self.steps)

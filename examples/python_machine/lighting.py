@@ -25,20 +25,27 @@ def material_at(state, draw, i, face, color):
                                 for name in names})
 
 
-def lit_color(profile, state, material, lights, p, n):
-    """[R8.1], [R8.2] p: the vertex; n: its normal. Four integers of color_bits."""
+def lit_colors(profile, state, material, lights, p, n):
+    """[R8.1], [R8.2], [R8.11] p: the vertex; n: its normal. Integers of color_bits: four of the
+    colour, three of the secondary one."""
     ambient = state.lighting.model_ambient
     total = [material.Ke[c] + ambient[c] * material.Ka[c] for c in range(3)]
+    highlights = [0.0] * 3
     for light in lights:
         direction, strength = towards(light, p)
         diffuse, specular = reflection(state, material, p, n, direction)
         for c in range(3):
-            total[c] = total[c] + strength * (
-                (light.Ia[c] * material.Ka[c] + (light.Id[c] * material.Kd[c]) * diffuse)
-                + (light.Is[c] * material.Ks[c]) * specular)
+            own = light.Ia[c] * material.Ka[c] + (light.Id[c] * material.Kd[c]) * diffuse
+            highlight = (light.Is[c] * material.Ks[c]) * specular
+            if state.separate_specular:
+                total[c] = total[c] + strength * own
+                highlights[c] = highlights[c] + strength * highlight
+            else:
+                total[c] = total[c] + strength * (own + highlight)
     total.append(material.alpha)
-    return tuple(rescale(quantize(v, profile.lit_bits), profile.lit_bits, profile.color_bits)
-                 for v in total)
+    return tuple(tuple(rescale(quantize(v, profile.lit_bits), profile.lit_bits,
+                               profile.color_bits) for v in values)
+                 for values in (total, highlights))
 
 
 def towards(light, p):

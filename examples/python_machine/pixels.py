@@ -4,11 +4,12 @@ import math
 import numpy as np
 
 from . import fog
+from .color_sum import summed, sums_colors
 from .environment import environment
 from .fragments import FragmentStage, colors_written
 from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
-from .state import (Plane, ReadBuffer, Resolved, corners_of, intersection, pixel_box,
+from .state import (FogSource, Plane, ReadBuffer, Resolved, corners_of, intersection, pixel_box,
                     stencil_write_mask)
 from .texture import Texture, look_ups, texel_in_place
 
@@ -232,8 +233,12 @@ def shaded(machine, command, colors):
         texel = texel_in_place(state, profile, texture, command.raster.texcoord)
         colors = environment(colors, np.repeat(texel, len(colors), axis=0), state,
                              texture.format, bits)
+    if sums_colors(state):
+        colors = summed(colors, np.array(command.raster.secondary_color[:3]), bits)
     if state.fog.enable:
-        f = fog.factor(state.fog, bounded(command.raster.distance, 2.0**200), bits)
+        given = state.fog_source == FogSource.Coordinate
+        distance = command.raster.fog_coordinate if given else command.raster.distance
+        f = fog.factor(state.fog, bounded(distance, 2.0**200), bits)
         colors = fog.fogged(colors, f, state.fog, bits)
     return colors
 

@@ -38,3 +38,5 @@ class Profile:
     texture_lod: bool = False
     texture_combine: bool = False
     texture_srgb: bool = False
+    secondary_color: bool = False
+    fog_coordinate: bool = False

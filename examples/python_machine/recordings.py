@@ -80,6 +80,8 @@ class CurrentValues:
     color: tuple = (1.0,) * 4
     normal: tuple = (0.0, 0.0, 1.0)
     texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
+    secondary_color: tuple = (0.0,) * 3
+    fog_coordinate: float = 0.0
 
 
 @dataclass
@@ -91,13 +93,31 @@ class RasterPosition:
     color: Any = None
     texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
     distance: float = 0.0
+    secondary_color: Any = None
+    fog_coordinate: float = 0.0
 
 
-def raster_of(given):
+def raster_of(c):
+    """Two members are the command's own."""
+    given = c.raster
     position = filled(RasterPosition(), given) if given is not None else RasterPosition()
-    c = position.color
-    position.color = (c.r, c.g, c.b, c.a) if c is not None else (0, 0, 0, 0)
+    position.color = channels(position.color)
+    position.secondary_color = channels(c.rasterSecondaryColor)
+    position.fog_coordinate = c.rasterFogCoordinate
     return position
+
+
+def channels(c):
+    return (c.r, c.g, c.b, c.a) if c is not None else (0, 0, 0, 0)
+
+
+def current_of(c):
+    """[R5.9] Two values are the command's own."""
+    current = filled(CurrentValues(), c.current) if c.current else CurrentValues()
+    if c.currentSecondaryColor:
+        current.secondary_color = vector(c.currentSecondaryColor)
+    current.fog_coordinate = c.currentFogCoordinate
+    return current
 
 
 @dataclass
@@ -131,6 +151,8 @@ class Mesh:
     edge_flags: list
     materials: list
     material_indices: list
+    secondary_colors: list
+    fog_coordinates: list
 
 
 def mesh_of(table):
@@ -150,7 +172,8 @@ def mesh_of(table):
                 integers("edgeFlags"),
                 [(filled(Material(), m.front), filled(Material(), m.back))
                  for m in data.materials or []],
-                integers("materialIndices"))
+                integers("materialIndices"), vectors("secondaryColors"),
+                [] if data.fogCoordinates is None else [float(v) for v in data.fogCoordinates])
 
 
 @dataclass
@@ -299,7 +322,7 @@ class Reader:
                 "slot": None if c.slot == NONE else c.slot,
                 "id_base": c.idBase, "id_shift": c.idShift,
                 "back_material": filled(Material(), c.backMaterial) if c.backMaterial else None,
-                "current": filled(CurrentValues(), c.current) if c.current else CurrentValues()}
+                "current": current_of(c)}
 
     def read_WriteSpans(self, c):
         return {"spans": c.spans or [], "colors": rgba(c.colors), "depth": c.depth}
@@ -328,7 +351,7 @@ class Reader:
         def integers(given):
             return None if given is None or len(given) == 0 else np.array(given, dtype=np.int64)
 
-        return {"width": c.width, "height": c.height, "raster": raster_of(c.raster),
+        return {"width": c.width, "height": c.height, "raster": raster_of(c),
                 "zoom_x": c.zoomX, "zoom_y": c.zoomY,
                 "colors": rgba(c.colors) if c.colors else None, "depths": integers(c.depths),
                 "stencils": integers(c.stencils), "bits": integers(c.bits), "source": c.source,

@@ -34,6 +34,7 @@ ShadeModel = enumeration("ShadeModel")
 ColorSource = enumeration("ColorSource")
 FogMode = enumeration("FogMode")
 FogCoordinate = enumeration("FogCoordinate")
+FogSource = enumeration("FogSource")
 MinFilter = enumeration("MinFilter")
 MagFilter = enumeration("MagFilter")
 Wrap = enumeration("Wrap")
@@ -303,6 +304,9 @@ class State:
     texture_lod: TextureLod = field(default_factory=TextureLod)
     combine_rgb: Combine = field(default_factory=Combine)
     combine_alpha: Combine = field(default_factory=combine_alpha)
+    separate_specular: bool = False
+    color_sum: bool = False
+    fog_source: int = FogSource.Depth
 
 
 # ---- Resolved state -------------------------------------------------------------------------

@@ -127,6 +127,11 @@ inline constexpr OpenglWord<FogMode> opengl_words<FogMode>[] = {
     {FogMode::Exp2, 0x0801},    // GL_EXP2
 };
 template <>
+inline constexpr OpenglWord<FogSource> opengl_words<FogSource>[] = {
+    {FogSource::Depth, 0x8452},                                    // GL_FRAGMENT_DEPTH
+    {FogSource::Coordinate, 0x8451, &Extensions::fog_coordinate},  // GL_FOG_COORDINATE
+};
+template <>
 inline constexpr OpenglWord<MinFilter> opengl_words<MinFilter>[] = {
     {MinFilter::Nearest, 0x2600},               // GL_NEAREST
     {MinFilter::Linear, 0x2601},                // GL_LINEAR

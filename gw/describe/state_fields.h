@@ -44,6 +44,8 @@ inline constexpr auto sentence_of<FogMode> = "The law of fog.";
 template <>
 inline constexpr auto sentence_of<FogCoordinate> = "Where the fog factor is computed.";
 template <>
+inline constexpr auto sentence_of<FogSource> = "The distance of fog.";
+template <>
 inline constexpr auto sentence_of<MinFilter> = "The minification filter.";
 template <>
 inline constexpr auto sentence_of<MagFilter> = "The magnification filter.";
@@ -144,7 +146,9 @@ inline constexpr auto fields_of<LightingState> =
                      "Back faces are lit with reversed normals."),
                field("model_ambient", &LightingState::model_ambient, "R8.1", "R, G, B, A.",
                      restricted("finite; the last is unused")),
-               field("color_material", &LightingState::color_material, "", "glColorMaterial."));
+               field("color_material", &LightingState::color_material, "", "glColorMaterial."),
+               field("separate_specular", &LightingState::separate_specular, "R8.11",
+                     "Highlights are a secondary colour.", restricted("extension")));
 
 template <>
 inline constexpr auto sentence_of<FogState> = "glFog; distances in eye units.";
@@ -157,7 +161,9 @@ inline constexpr auto fields_of<FogState> = std::tuple(
     field("end", &FogState::end, "R11.2", "Of Linear.",
           by_rule("finite; not `fog.start` if Linear")),
     field("color", &FogState::color, "R11.1", "R, G, B, A.", by_rule("finite")),
-    field("coordinate", &FogState::coordinate, "R11.4", "Where the factor is computed."));
+    field("coordinate", &FogState::coordinate, "R11.4", "Where the factor is computed."),
+    field("source", &FogState::source, "R11.8", "The distance.",
+          restricted("extension: Coordinate")));
 
 // ---- Texture ------------------------------------------------------------------------------------
 
@@ -341,6 +347,8 @@ inline constexpr auto fields_of<State> = std::tuple(
     field("shade_model", &State::shade_model, "R6.6", "Flat or smooth."),
     field("color_source", &State::color_source, "R6.12", "Vertices, lighting or identifiers."),
     field("lighting", &State::lighting, "", "The lighting model."),
+    field("color_sum", &State::color_sum, "R8.13", "The secondary colour is added.",
+          restricted("extension")),
     field("fog", &State::fog, "", "Fog."),
     field("texture", &State::texture, "", "How texels are used."),
     field("scissor", &State::scissor, "", "The scissor test."),

@@ -36,6 +36,12 @@ void check_finite(const std::vector<Vector>& values, const char* name) {
                      " has a component that is not a finite number");
 }
 
+void check_finite(const std::vector<float>& values, const char* name) {
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!std::isfinite(values[i]))
+            fail(std::string(name) + " " + std::to_string(i) + " is not a finite number");
+}
+
 void check_vertices(const MeshData& data) {
     const std::size_t n = data.positions.size();
     if (n > max_mesh_size)
@@ -51,9 +57,12 @@ void check_vertices(const MeshData& data) {
     check_length(data.texcoords_rq.size(), data.texcoords.size(), "r, q", "pairs r, q");
     check_length(data.edge_flags.size(), n, "edge flag");
     check_length(data.material_indices.size(), n, "material index", "material indices");
+    check_length(data.secondary_colors.size(), n, "secondary color");
+    check_length(data.fog_coordinates.size(), n, "fog coordinate");
     check_finite(data.texcoords_rq, "r, q");
-    for (std::size_t i = 0; i < data.w.size(); ++i)
-        if (!std::isfinite(data.w[i])) fail("w " + std::to_string(i) + " is not a finite number");
+    check_finite(data.secondary_colors, "secondary color");
+    check_finite(data.w, "w");
+    check_finite(data.fog_coordinates, "fog coordinate");
     for (std::size_t i = 0; i < data.material_indices.size(); ++i)
         if (data.material_indices[i] >= data.materials.size())
             fail("material index " + std::to_string(i) + " is " +

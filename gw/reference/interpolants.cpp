@@ -1,5 +1,7 @@
 #include "gw/reference/interpolants.h"
 
+#include "gw/stages/fog.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,23 +28,41 @@ PlaneSlope slope_of(const PlaneEquation& p, int x, int y) {
     return {static_cast<double>(p.gx), static_cast<double>(p.gy), static_cast<double>(p.at(x, y))};
 }
 
-void set_color(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
-               bool in_perspective, int bits) {
-    v.perspective_color = in_perspective;
+using Channels = std::array<std::int64_t, 4>;
+
+ColorPlanes color_planes(std::span<const Corner> corners, const PlaneMaker& plane,
+                         Channels Corner::*color, bool in_perspective, int bits) {
+    ColorPlanes planes;
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
     const double max = max_of_bits(bits);
     for (std::size_t i = 0; i < 4; ++i) {
-        const auto a = gather(corners, [i](const Corner& c) { return c.color[i]; });
+        const auto a = gather(corners, [&](const Corner& c) { return (c.*color)[i]; });
         const auto [low, high] =
             std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners.size()));
-        v.color_range[i] = {*low, *high};
+        planes.range[i] = {*low, *high};
         if (!in_perspective) {
-            v.color[i] = plane(a);
+            planes.plane[i] = plane(a);
             continue;
         }
         const auto fractions =
-            gather_doubles(corners, [&](const Corner& c) { return double(c.color[i]) / max; });
-        v.color_numerator[i] = plane(numerators(fractions, w, 0).at);
+            gather_doubles(corners, [&](const Corner& c) { return double((c.*color)[i]) / max; });
+        planes.numerator[i] = plane(numerators(fractions, w, 0).at);
+    }
+    return planes;
+}
+
+void set_fog(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
+             const Resolved& r) {
+    const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
+    if (fog_is_direct(r.state.fog, r.fragment_fog)) {
+        const auto f = gather_doubles(corners, [](const Corner& c) { return c.fog; });
+        v.fog_coordinate = perspective_value(fog_numerators(f, w), plane);
+    } else if (r.fragment_fog) {
+        const auto f = gather_doubles(corners, [](const Corner& c) { return std::abs(c.fog); });
+        v.fog_coordinate = perspective_value(numerators(f, w, 0, largest_fog_exponent), plane);
+    } else {
+        v.fog =
+            plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
     }
 }
 
@@ -87,15 +107,13 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
     v.q = plane(denominators(w));
     v.slope_x = static_cast<int>(v.depth.x0 >> profile.subpixel_bits);
     v.slope_y = static_cast<int>(v.depth.y0 >> profile.subpixel_bits);
-    set_color(v, corners, plane,
-              profile.perspective_color && r.state.shade_model == ShadeModel::Smooth, r.bits);
-    if (r.state.fog.enable && r.fragment_fog) {
-        const auto f = gather_doubles(corners, [](const Corner& c) { return std::abs(c.fog); });
-        v.fog_coordinate = perspective_value(numerators(f, w, 0, largest_fog_exponent), plane);
-    } else if (r.state.fog.enable) {
-        v.fog =
-            plane(gather(corners, [](const Corner& c) { return std::int64_t(round_even(c.fog)); }));
-    }
+    v.perspective_color = profile.perspective_color && r.state.shade_model == ShadeModel::Smooth;
+    const auto colors = [&](Channels Corner::*color) {
+        return color_planes(corners, plane, color, v.perspective_color, r.bits);
+    };
+    v.color = colors(&Corner::color);
+    if (sums_colors(r.state)) v.secondary = colors(&Corner::secondary);
+    if (r.state.fog.enable) set_fog(v, corners, plane, r);
     v.projective = texture == TextureUse::Projective;
     if (texture != TextureUse::None) set_texture(v, corners, plane, r.state.texture);
     return v;
@@ -114,25 +132,27 @@ Interpolants limited_to_pixel(Interpolants v, int x, int y) {
     limit(v.q);
     limit(v.texture_q);
     limit_over(v.fog_coordinate.plane, v.q);
-    for (PlaneEquation& c : v.color) limit(c);
-    for (PlaneEquation& c : v.color_numerator) limit_over(c, v.q);
+    for (ColorPlanes* color : {&v.color, &v.secondary}) {
+        for (PlaneEquation& c : color->plane) limit(c);
+        for (PlaneEquation& c : color->numerator) limit_over(c, v.q);
+    }
     for (PerspectiveValue* coordinate : {&v.s, &v.t, &v.r})
         v.projective ? limit(coordinate->plane) : limit_over(coordinate->plane, v.texture_q);
     return v;
 }
 
-Rgba color_at(const Interpolants& v, int x, int y, int bits) {
+Rgba color_at(const Interpolants& v, const ColorPlanes& color, int x, int y, int bits) {
     Rgba out;
     const float w = v.perspective_color ? reciprocal(v.q, x, y) : 0;
     for (std::size_t i = 0; i < 4; ++i) {
         std::int64_t c = 0;
         if (v.perspective_color) {
             const float f =
-                (static_cast<float>(v.color_numerator[i].at(x, y)) * w) * float(max_of_bits(bits));
-            c = std::clamp(static_cast<std::int64_t>(std::nearbyint(f)), v.color_range[i][0],
-                           v.color_range[i][1]);
+                (static_cast<float>(color.numerator[i].at(x, y)) * w) * float(max_of_bits(bits));
+            c = std::clamp(static_cast<std::int64_t>(std::nearbyint(f)), color.range[i][0],
+                           color.range[i][1]);
         } else {
-            c = v.color[i].at(x, y);
+            c = color.plane[i].at(x, y);
         }
         out[i] = static_cast<std::uint16_t>(c);
     }

@@ -16,7 +16,7 @@ namespace gw::reference {
 struct Corner {
     WindowVertex window;
     dvec4 texcoord{0, 0, 0, 1};
-    std::array<std::int64_t, 4> color{};
+    std::array<std::int64_t, 4> color{}, secondary{};
     double fog = 0;
 };
 
@@ -33,11 +33,16 @@ struct PerspectiveValue {
     float at(int x, int y, float w) const;  ///< U W, without exponent and offset
 };
 
+/// A colour's channels.
+struct ColorPlanes {
+    std::array<PlaneEquation, 4> plane;                  ///< screen-linear
+    std::array<PlaneEquation, 4> numerator;              ///< perspective_color
+    std::array<std::array<std::int64_t, 2>, 4> range{};  ///< least and largest corner value
+};
+
 struct Interpolants {
     PlaneEquation depth;
-    std::array<PlaneEquation, 4> color;                        ///< screen-linear
-    std::array<PlaneEquation, 4> color_numerator;              ///< perspective_color
-    std::array<std::array<std::int64_t, 2>, 4> color_range{};  ///< least and largest corner value
+    ColorPlanes color, secondary;
     bool perspective_color = false;
     PlaneEquation fog;                ///< factor (fog at the vertex)
     PerspectiveValue fog_coordinate;  ///< fragment fog
@@ -62,7 +67,7 @@ Interpolants limited_to_pixel(Interpolants values, int x, int y);
 /// 1 / Q: the one division of a pixel.
 float reciprocal(const PlaneEquation& q, int x, int y);
 
-/// The interpolated colour, before texture and fog.
-Rgba color_at(const Interpolants& values, int x, int y, int bits);
+/// An interpolated colour: the one before texture and fog, or the secondary one.
+Rgba color_at(const Interpolants& values, const ColorPlanes& color, int x, int y, int bits);
 
 }  // namespace gw::reference

@@ -60,14 +60,13 @@ std::array<std::int64_t, 4> id_color(const Drawing& d, std::uint32_t polygon) {
             max_of_bits(d.context.profile->color_bits)};
 }
 
-std::array<std::int64_t, 4> corner_color(const Drawing& d, const Vertex& v, const Source& s) {
-    if (d.state().color_source == ColorSource::PolygonId) return id_color(d, s.polygon);
-    const Vertex& from = d.state().shade_model == ShadeModel::Flat ? d.vertices[s.provoking] : v;
-    return integers(s.front ? from.color : from.back_color);
-}
-
 Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
-    return {d.window(v), v.texcoord, corner_color(d, v, s), v.fog};
+    Corner out{d.window(v), v.texcoord, {}, {}, v.fog};
+    const Vertex& from = d.state().shade_model == ShadeModel::Flat ? d.vertices[s.provoking] : v;
+    out.color = integers(s.front ? from.color : from.back_color);
+    out.secondary = integers(s.front ? from.secondary : from.back_secondary);
+    if (d.state().color_source == ColorSource::PolygonId) out.color = id_color(d, s.polygon);
+    return out;
 }
 
 Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane,

@@ -1,4 +1,4 @@
-// [GL11] 3.8 to 3.10: texture, then fog.
+// [GL11] 3.8 to 3.10: texture, then fog; between them the colour sum of OpenGL 1.2.
 #include "gw/reference/shade.h"
 
 #include "gw/reference/texture_unit.h"
@@ -14,10 +14,16 @@ namespace {
 
 std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
     const Interpolants& v = s.values;
-    if (!s.context.state.fragment_fog) return static_cast<std::uint32_t>(v.fog.at(x, y));
+    const Resolved& r = s.context.state;
+    if (!r.fragment_fog) return static_cast<std::uint32_t>(v.fog.at(x, y));
+    if (fog_is_direct(r.state.fog, true)) {
+        const double u = v.fog_coordinate.at(x, y, reciprocal(v.q, x, y));
+        return direct_fog_factor(r.state.fog, v.fog_coordinate.offset, u, v.fog_coordinate.exponent,
+                                 r.bits);
+    }
     // Table position in 1/256 steps.
     const std::vector<std::uint32_t>& table = s.context.fog_table;
-    const int log2_steps = fog_table_log2(s.context.state.bits), steps = 1 << log2_steps;
+    const int log2_steps = fog_table_log2(r.bits), steps = 1 << log2_steps;
     const float t = std::ldexp(v.fog_coordinate.at(x, y, reciprocal(v.q, x, y)),
                                v.fog_coordinate.exponent + log2_steps + 8);
     const int position = static_cast<int>(std::min(t, float(steps * 256)));
@@ -29,7 +35,7 @@ std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
 
 Rgba shaded_color(const Shader& s, int x, int y) {
     const Resolved& r = s.context.state;
-    Rgba color = color_at(s.values, x, y, r.bits);
+    Rgba color = color_at(s.values, s.values.color, x, y, r.bits);
     if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
     if (s.context.texels) {
         const Rgba texel =
@@ -37,6 +43,8 @@ Rgba shaded_color(const Shader& s, int x, int y) {
         color = texture_environment(r.state.texture, s.context.texels->format, color, texel,
                                     r.env_color, r.bits);
     }
+    if (sums_colors(r.state))
+        color = sum_of_colors(color, color_at(s.values, s.values.secondary, x, y, r.bits), r.bits);
     if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);
     return color;
 }

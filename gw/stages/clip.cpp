@@ -47,6 +47,8 @@ Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
         v.texcoord[i] = mix(in.texcoord[i], out.texcoord[i], t);
         v.color[c] = round_even(mix(in.color[c], out.color[c], t));
         v.back_color[c] = round_even(mix(in.back_color[c], out.back_color[c], t));
+        v.secondary[c] = round_even(mix(in.secondary[c], out.secondary[c], t));
+        v.back_secondary[c] = round_even(mix(in.back_secondary[c], out.back_secondary[c], t));
     }
     v.fog = mix(in.fog, out.fog, t);
     return v;

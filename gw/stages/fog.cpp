@@ -38,6 +38,16 @@ double fog_table_depth(const FogState& fog, int bits) {
     return 1;
 }
 
+double fog_unit(const FogState& fog, int bits) {
+    if (fog.source == FogSource::Coordinate && fog.mode == FogMode::Linear)
+        return std::abs(double(fog.end) - double(fog.start));
+    return fog_table_depth(fog, bits);
+}
+
+std::uint32_t direct_fog_factor(const FogState& fog, double k, double u, int exponent, int bits) {
+    return fog_factor(fog, fog_unit(fog, bits) * (k + std::ldexp(u, exponent)), bits);
+}
+
 std::vector<std::uint32_t> fog_table(const FogState& fog, int bits) {
     const int steps = 1 << fog_table_log2(bits);
     const double step = fog_table_depth(fog, bits) / steps;

@@ -62,15 +62,25 @@ Factors factors(const Light& light, const dvec3& p_eye, const dvec3& n_eye, cons
             cosine > 0 && gloss ? highlight(n_eye, in.direction, to_eye, exponent) : 0};
 }
 
+/// What the lights add, highlights apart or not.
+struct Sums {
+    dvec3 own{0}, highlights{0};
+};
+
 void add_light(const Light& light, const Material& m, const dvec3& p_eye, const dvec3& n_eye,
-               const dvec3& to_eye, dvec3& sum) {
+               const dvec3& to_eye, bool separate, Sums& sums) {
     // A black Ks adds exactly 0, so the power is not computed.
     const Factors f = factors(light, p_eye, n_eye, to_eye, m.Ns, !is_black(m.Ks));
     for (int c = 0; c < 3; ++c) {
         const double ambient = double(light.Ia[c]) * m.Ka[c];
         const double lambert = (double(light.Id[c]) * m.Kd[c]) * f.diffuse;
         const double gloss = (double(light.Is[c]) * m.Ks[c]) * f.specular;
-        sum[c] += f.strength * ((ambient + lambert) + gloss);
+        if (separate) {
+            sums.own[c] += f.strength * (ambient + lambert);
+            sums.highlights[c] += f.strength * gloss;
+        } else {
+            sums.own[c] += f.strength * ((ambient + lambert) + gloss);
+        }
     }
 }
 
@@ -82,19 +92,21 @@ LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_ey
     return {f.strength, f.strength * f.diffuse, f.strength * f.specular};
 }
 
-std::array<double, 4> lit_color(const Material& m, const LightsRef& lights,
-                                const LightingState& state, const Profile& profile,
-                                const dvec3& p_eye, const dvec3& n_eye) {
+LitColors lit_colors(const Material& m, const LightsRef& lights, const LightingState& state,
+                     const Profile& profile, const dvec3& p_eye, const dvec3& n_eye) {
     const dvec3 to_eye = state.local_viewer ? normalized(-p_eye) : dvec3(0, 0, 1);
-    dvec3 sum;
-    for (int c = 0; c < 3; ++c) sum[c] = m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c];
+    Sums sums;
+    for (int c = 0; c < 3; ++c) sums.own[c] = m.Ke[c] + double(state.model_ambient[c]) * m.Ka[c];
     if (lights)
-        for (const Light& light : *lights) add_light(light, m, p_eye, n_eye, to_eye, sum);
+        for (const Light& light : *lights)
+            add_light(light, m, p_eye, n_eye, to_eye, state.separate_specular, sums);
 
     const auto store = [&](double v) {
         return double(rescale(quantize(v, profile.lit_bits), profile.lit_bits, profile.color_bits));
     };
-    return {store(sum.x), store(sum.y), store(sum.z), store(m.alpha)};
+    const auto& [own, highlights] = sums;
+    return {{store(own.x), store(own.y), store(own.z), store(m.alpha)},
+            {store(highlights.x), store(highlights.y), store(highlights.z), 0}};
 }
 
 }  // namespace gw

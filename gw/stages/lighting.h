@@ -18,10 +18,13 @@ struct LightTerms {
 LightTerms light_terms(const Light& light, const dvec3& p_eye, const dvec3& n_eye,
                        const dvec3& to_eye, double exponent, bool gloss);
 
-/// The lit colour R, G, B, A of a vertex in eye space. Integers 0 ..
+/// A lit colour R, G, B, A and its highlights, which are 0 unless they are separate. Integers 0 ..
 /// 2^color_bits - 1, first rounded to lit_bits.
-std::array<double, 4> lit_color(const Material& material, const LightsRef& lights,
-                                const LightingState& state, const Profile& profile,
-                                const dvec3& p_eye, const dvec3& n_eye);
+struct LitColors {
+    std::array<double, 4> color{}, secondary{};
+};
+/// Those of a vertex in eye space.
+LitColors lit_colors(const Material& material, const LightsRef& lights, const LightingState& state,
+                     const Profile& profile, const dvec3& p_eye, const dvec3& n_eye);
 
 }  // namespace gw

@@ -66,6 +66,11 @@ Numerators texture_numerators(std::span<const double> s, std::span<const double>
                       largest_exponent_in_float);
 }
 
+Numerators fog_numerators(std::span<const double> f, std::span<const double> w) {
+    constexpr int largest_exponent = 512;  // no range is greater
+    return numerators(f, w, *std::min_element(f.begin(), f.end()), largest_exponent);
+}
+
 int wide_position(std::int64_t u, std::int64_t q, int exponent, std::int64_t k, int log2_size,
                   bool repeats) {
     constexpr std::int64_t limit = std::int64_t{1} << 30;

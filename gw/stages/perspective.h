@@ -43,6 +43,8 @@ int any_position(double quotient, int exponent, std::int64_t k, int size, Wrap w
 
 /// The fog coordinate's numerators; it is clamped to 2^40 fog tables.
 inline constexpr int largest_fog_exponent = 40;
+/// Those of a given coordinate, above the least one.
+Numerators fog_numerators(std::span<const double> f, std::span<const double> w);
 
 /// EyeLinear coordinates s_i / q_i, of any sign. Q_i = rne(2^30 (q_i / w_i) / H) with
 /// H = max |q_i / w_i|.

@@ -245,6 +245,16 @@ constexpr Rgba texture_environment(const TextureState& s, TextureFormat format, 
     return out;
 }
 
+/// The secondary colour added to R, G, B, clamped.
+constexpr Rgba sum_of_colors(const Rgba& color, const Rgba& secondary, int bits) {
+    const std::uint32_t max = max_of_bits(bits);
+    Rgba out = color;
+    for (std::size_t i = 0; i < 3; ++i)
+        out[i] = static_cast<std::uint16_t>(
+            std::min<std::uint32_t>(max, std::uint32_t{color[i]} + secondary[i]));
+    return out;
+}
+
 /// Blends R, G, B with the fog's colour by factor `f`. A pass in black fog plus a pass of fogged
 /// black is exactly fog in one pass [K3.5].
 constexpr Rgba apply_fog(const Rgba& color, std::uint32_t f, const Rgba& fog, int bits) {

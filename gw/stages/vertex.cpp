@@ -54,6 +54,18 @@ dvec4 given_texcoord(const Draw& draw, std::uint32_t index) {
     return {st.x, st.y, rq.x, rq.y};
 }
 
+vec3 given_secondary_color(const Draw& draw, std::uint32_t index) {
+    const auto& colors = draw.mesh->data().secondary_colors;
+    if (!colors.empty()) return colors[index];
+    return draw.current ? draw.current->secondary_color : CurrentValues{}.secondary_color;
+}
+
+double given_fog_coordinate(const Draw& draw, std::uint32_t index) {
+    const auto& coordinates = draw.mesh->data().fog_coordinates;
+    if (!coordinates.empty()) return coordinates[index];
+    return draw.current ? draw.current->fog_coordinate : CurrentValues{}.fog_coordinate;
+}
+
 void follow_color(ColorMaterial mode, const vec4& color, Material& m) {
     const vec3 rgb(color);
     switch (mode) {
@@ -105,12 +117,15 @@ dvec3 eye_normal(const VertexProgram& p, const dvec3& n_object) {
 
 void light(const VertexProgram& p, std::uint32_t index, const dvec3& p_eye, const dvec3& n_eye,
            Vertex& out) {
-    const auto lit = [&](Face side, const dvec3& n) {
-        return lit_color(material_of(p, index, side), p.draw->lights, p.state->lighting, *p.profile,
-                         p_eye, n);
+    const auto light_side = [&](Face side, const dvec3& n, auto& color, auto& secondary) {
+        const LitColors lit = lit_colors(material_of(p, index, side), p.draw->lights,
+                                         p.state->lighting, *p.profile, p_eye, n);
+        color = lit.color;
+        secondary = lit.secondary;
     };
-    out.color = lit(Face::Front, n_eye);
-    if (p.state->lighting.two_side) out.back_color = lit(Face::Back, -n_eye);
+    light_side(Face::Front, n_eye, out.color, out.secondary);
+    if (p.state->lighting.two_side)
+        light_side(Face::Back, -n_eye, out.back_color, out.back_secondary);
 }
 
 }  // namespace
@@ -130,14 +145,16 @@ VertexProgram vertex_program(const State& state, const Draw& draw, const Profile
     p.normal_scale = size > 0 ? 1 / size : 0;
     change_draw(p, draw);
     p.fragment_fog = fog_is_per_fragment(state.fog, profile);
-    p.fog_depth = state.fog.enable ? fog_table_depth(state.fog, profile.color_bits) : 1;
+    p.fog_depth = state.fog.enable ? fog_unit(state.fog, profile.color_bits) : 1;
     return p;
 }
 
-double fog_of(const VertexProgram& p, double z_eye) {
-    const double z = bounded(-z_eye, largest_coordinate);
+double fog_of(const VertexProgram& p, std::uint32_t index, double z_eye) {
+    const bool given = p.state->fog.source == FogSource::Coordinate;
+    const double z =
+        bounded(given ? given_fog_coordinate(*p.draw, index) : -z_eye, largest_coordinate);
     if (p.fragment_fog) return z / p.fog_depth;
-    return double(fog_factor(p.state->fog, z > 0 ? z : 0, p.profile->color_bits));
+    return double(fog_factor(p.state->fog, given || z > 0 ? z : 0, p.profile->color_bits));
 }
 
 Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
@@ -153,11 +170,16 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
         if (state.clip_planes[i].enable) out.distance[i] = dot4(state.clip_planes[i].plane, p_eye4);
 
     const dvec3 n_eye = eye_normal(p, given_normal(draw, index));
-    if (state.color_source == ColorSource::Vertex)
+    if (state.color_source == ColorSource::Vertex) {
         out.color = quantized_color(given_color(draw, index), p.profile->color_bits);
+        out.secondary =
+            quantized_color(vec4(given_secondary_color(draw, index), 0), p.profile->color_bits);
+    }
     if (state.color_source == ColorSource::Lighting) light(p, index, p_eye, n_eye, out);
-    if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side))
+    if (!(state.color_source == ColorSource::Lighting && state.lighting.two_side)) {
         out.back_color = out.color;
+        out.back_secondary = out.secondary;
+    }
 
     if (draw.map.enabled()) {
         out.texcoord = texture_coordinates(
@@ -165,7 +187,7 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
         if (is_one_dimensional(draw)) out.texcoord.y = 0;
         for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
     }
-    if (state.fog.enable) out.fog = fog_of(p, p_eye.z);
+    if (state.fog.enable) out.fog = fog_of(p, index, p_eye.z);
     return out;
 }
 

@@ -23,7 +23,8 @@ struct Vertex : ClipPosition {
     dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
     std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
     std::array<double, 4> back_color{};  ///< of a back face, with lighting.two_side
-    /// fog at the vertex: factor 0 .. 2^color_bits - 1; else coordinate >= 0, 1 at the table's end
+    std::array<double, 4> secondary{}, back_secondary{};  ///< likewise; the last is 0
+    /// fog at the vertex: factor 0 .. 2^color_bits - 1; else coordinate, 1 at the table's end
     double fog = 0;
 };
 
@@ -40,7 +41,7 @@ struct VertexProgram {
     dmat3 normal_eye_from_object{1};  ///< inverse transpose up to a positive factor
     double normal_scale = 1;          ///< the factor of normals; 0: they are normalised
     bool fragment_fog = false;
-    double fog_depth = 1;          ///< eye distance at the end of the fog table
+    double fog_depth = 1;          ///< the distance that is 1 in fog per fragment
     bool is_affine = true;         ///< all positions have w = 1 in object space and in eye space
     bool has_one_material = true;  ///< on each side, for all vertices
 };
@@ -52,13 +53,15 @@ void change_draw(VertexProgram& program, const Draw& draw);
 /// Runs the vertex stages on vertex `index` of the draw's mesh.
 Vertex run_vertex(const VertexProgram& program, std::uint32_t index);
 
-/// Vertex::fog of a vertex at this z in eye space.
-double fog_of(const VertexProgram& program, double z_eye);
+/// Vertex::fog of vertex `index`, which is at this z in eye space.
+double fog_of(const VertexProgram& program, std::uint32_t index, double z_eye);
 
 /// The values of a vertex: the mesh's, or the draw's current ones. Colours are not yet rounded.
 vec4 given_color(const Draw& draw, std::uint32_t index);
 dvec3 given_normal(const Draw& draw, std::uint32_t index);
 dvec4 given_texcoord(const Draw& draw, std::uint32_t index);  ///< s, t, r, q
+vec3 given_secondary_color(const Draw& draw, std::uint32_t index);
+double given_fog_coordinate(const Draw& draw, std::uint32_t index);
 
 /// The material of one side of a vertex.
 Material material_of(const VertexProgram& program, std::uint32_t index, Face side);

@@ -47,6 +47,8 @@ void check(const Checker& c, const Draw& draw) {
         c.finite("current.color", draw.current->color);
         c.finite("current.normal", draw.current->normal);
         c.finite("current.texcoord", draw.current->texcoord);
+        c.finite("current.secondary_color", draw.current->secondary_color);
+        c.finite("current.fog_coordinate", draw.current->fog_coordinate);
     }
     if (draw.mesh.get() != c.checked_mesh)
         for (const FaceMaterials& m : draw.mesh->data().materials) {

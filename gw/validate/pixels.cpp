@@ -115,10 +115,11 @@ void check_raster(const Checker& c, const RasterPosition& r) {
     c.finite("raster.x", r.x);
     c.finite("raster.y", r.y);
     check_depth(c, r.depth);
-    check_colors(c, {r.color});
+    check_colors(c, {r.color, r.secondary_color});
     c.finite("raster.texcoord", r.texcoord);
     c.require(r.distance >= 0 && std::isfinite(r.distance), "raster.distance", r.distance,
               "0 or more");
+    c.finite("raster.fog_coordinate", r.fog_coordinate);
 }
 
 /// The pixels of a rectangle: all of a kind, or none.

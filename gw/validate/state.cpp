@@ -54,6 +54,8 @@ void check_extensions(const Checker& c, const State& s) {
     }
     c.extension(s.stencil.test && s.stencil.two_side, e.two_sided_stencil, "two_sided_stencil");
     c.extension(s.logic_op.enable, e.logic_op, "logic_op");
+    c.extension(s.color_sum || s.lighting.separate_specular, e.secondary_color, "secondary_color");
+    check_word(c, s.fog.source);
     check_words(c, s.blend);
 }
 

@@ -40,7 +40,9 @@ inline constexpr auto members_of<MeshData> = std::tuple(
     named("colors", &MeshData::colors), named("polygon_ids", &MeshData::polygon_ids),
     named("w", &MeshData::w), named("texcoords_rq", &MeshData::texcoords_rq),
     named("edge_flags", &MeshData::edge_flags), named("materials", &MeshData::materials),
-    named("material_indices", &MeshData::material_indices));
+    named("material_indices", &MeshData::material_indices),
+    named("secondary_colors", &MeshData::secondary_colors),
+    named("fog_coordinates", &MeshData::fog_coordinates));
 
 template <>
 inline constexpr auto members_of<Texture> = std::tuple(named("map's format", &Texture::format),
@@ -72,7 +74,9 @@ inline constexpr auto members_of<Material> = std::tuple(
 template <>
 inline constexpr auto members_of<CurrentValues> = std::tuple(
     named("current.color", &CurrentValues::color), named("current.normal", &CurrentValues::normal),
-    named("current.texcoord", &CurrentValues::texcoord));
+    named("current.texcoord", &CurrentValues::texcoord),
+    named("current.secondary_color", &CurrentValues::secondary_color),
+    named("current.fog_coordinate", &CurrentValues::fog_coordinate));
 
 template <>
 inline constexpr auto members_of<Draw> = std::tuple(named("eye_from_object",

@@ -115,13 +115,21 @@ private:
             gl().Color4ub(id & 255, (id >> 8) & 255, (id >> 16) & 255, 255);
             return;
         }
-        std::array<GLubyte, 4> c{};
-        const auto& lit = side == Face::Front ? v.color : v.back_color;
-        std::transform(lit.begin(), lit.end(), c.begin(), [](double x) { return GLubyte(x); });
-        gl().Color4ubv(c.data());
+        const auto bytes = [](const std::array<double, 4>& color) {
+            std::array<GLubyte, 4> out{};
+            std::transform(color.begin(), color.end(), out.begin(),
+                           [](double x) { return GLubyte(x); });
+            return out;
+        };
+        const bool front = side == Face::Front;
+        gl().Color4ubv(bytes(front ? v.color : v.back_color).data());
+        if (sums_colors(state_))
+            required(gl().SecondaryColor3ubv, "glSecondaryColor",
+                     "a secondary colour")(bytes(front ? v.secondary : v.back_secondary).data());
     }
     double fog_coordinate(const Vertex& v, const dvec4& p) const {
         if (!program_.fragment_fog) return 1 - v.fog / max_of_bits(profile_.color_bits);
+        if (state_.fog.source == FogSource::Coordinate) return v.fog * program_.fog_depth;
         return std::max(-eye_point(transform(draw_.eye_from_object, p)).z, 0.0);
     }
 
@@ -136,6 +144,8 @@ private:
 
 void apply(const FogState& fog, bool per_fragment, bool on) {
     enable(GL_FOG, on);
+    if (on && fog.source == FogSource::Coordinate)
+        required(gl().FogCoordd, "glFogCoord", "fog.source");
     if (gl().FogCoordd)
         gl().Fogi(GL_FOG_COORDINATE_SOURCE, GL_FOG_COORDINATE);
     else if (on && !per_fragment)
@@ -154,6 +164,7 @@ void draw(const Draw& draw, const State& state, const Profile& profile, int widt
     load(GL_PROJECTION, jittered(state, profile.subpixel_bits, width, height));
     load(GL_MODELVIEW, draw.eye_from_object);
     apply(state.fog, emitter.fragment_fog(), shaded && state.fog.enable);
+    if (gl().SecondaryColor3ubv) enable(GL_COLOR_SUM, sums_colors(state));
     if (shaded && texture_target) gl().Enable(texture_target);
     switch (draw.mesh->kind()) {
         case MeshKind::Triangles: emitter.triangles(); break;

@@ -126,11 +126,17 @@ void check_rectangle(const DrawPixels& c) {
 }
 
 /// glRasterPos' values, by way of a window position.
-void set_raster_position(const RasterPosition& r) {
-    const std::vector<GLubyte> color = bytes(&r.color, 1);
+void set_raster_position(const RasterPosition& r, const State& state) {
+    const std::vector<GLubyte> color = bytes(&r.color, 1), secondary = bytes(&r.secondary_color, 1);
     gl().Color4ubv(color.data());
+    if (sums_colors(state)) {
+        required(gl().SecondaryColor3ubv, "glSecondaryColor",
+                 "a secondary colour")(secondary.data());
+        enable(GL_COLOR_SUM, true);
+    }
     gl().TexCoord4d(r.texcoord.x, r.texcoord.y, r.texcoord.z, r.texcoord.w);
-    if (gl().FogCoordd) gl().FogCoordd(r.distance);
+    if (gl().FogCoordd)
+        gl().FogCoordd(state.fog.source == FogSource::Coordinate ? r.fog_coordinate : r.distance);
     gl().DepthRange(0, 1);
     set_window_pos(r.x, r.y, window_z(r.depth));
 }
@@ -165,7 +171,7 @@ void draw(const DrawPixels& c, const State& state, GLenum texture_target) {
     const SavedState saved;
     apply(state.fog, true, state.fog.enable);
     if (texture_target) gl().Enable(texture_target);
-    set_raster_position(c.raster);
+    set_raster_position(c.raster, state);
     gl().PixelZoom(float(c.zoom_x), float(c.zoom_y));
     draw_values(c);
 }

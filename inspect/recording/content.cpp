@@ -43,13 +43,17 @@ Digest content(const MeshData& mesh) {
     hasher.add(mesh.polygon_sizes);
     hasher.add(mesh.polygon_ids);
     if (mesh.w.empty() && mesh.texcoords_rq.empty() && mesh.edge_flags.empty() &&
-        mesh.material_indices.empty())
+        mesh.material_indices.empty() && mesh.secondary_colors.empty() &&
+        mesh.fog_coordinates.empty())
         return hasher.finish();
     hasher.add(mesh.w);
     hasher.add(mesh.texcoords_rq);
     hasher.add(mesh.edge_flags);
     hasher.add(mesh.materials);
     hasher.add(mesh.material_indices);
+    if (mesh.secondary_colors.empty() && mesh.fog_coordinates.empty()) return hasher.finish();
+    hasher.add(mesh.secondary_colors);
+    hasher.add(mesh.fog_coordinates);
     return hasher.finish();
 }
 

@@ -3,6 +3,7 @@
 #include "gw/machine.h"
 #include "inspect/recording/check_lists.h"
 #include "inspect/recording/file_commands.h"
+#include "inspect/recording/file_draws.h"
 #include "inspect/recording/file_values.h"
 #include "inspect/recording/part.h"
 #include "inspect/recording/recording.h"
@@ -14,40 +15,6 @@ namespace gw::inspect {
 namespace {
 
 using inspect::from_file;
-
-Light from_file(const gwt::Light& l) {
-    return {.position = from_file(l.position()),
-            .Ia = from_file(l.Ia()),
-            .Id = from_file(l.Id()),
-            .Is = from_file(l.Is()),
-            .spot_direction = from_file(l.spot_direction()),
-            .spot_exponent = l.spot_exponent(),
-            .spot_cos_cutoff = l.spot_cos_cutoff(),
-            .constant_attenuation = l.constant_attenuation(),
-            .linear_attenuation = l.linear_attenuation(),
-            .quadratic_attenuation = l.quadratic_attenuation()};
-}
-Material from_file(const gwt::Material& m) {
-    return {.Ka = from_file(m.Ka()),
-            .Kd = from_file(m.Kd()),
-            .Ks = from_file(m.Ks()),
-            .Ke = from_file(m.Ke()),
-            .Ns = m.Ns(),
-            .alpha = m.alpha()};
-}
-FaceMaterials from_file(const gwt::FaceMaterials& m) {
-    return {from_file(m.front()), from_file(m.back())};
-}
-CurrentValues from_file(const gwt::CurrentValues& v) {
-    return {from_file(v.color()), from_file(v.normal()), from_file(v.texcoord())};
-}
-RasterPosition from_file(const gwt::RasterPosition& r) {
-    return {r.x(), r.y(), r.depth(), from_file(r.color()), from_file(r.texcoord()), r.distance()};
-}
-PixelSource from_file(const gwt::PixelSource& s) {
-    return {our_enum<Plane>(s.plane()), s.x(), s.y()};
-}
-Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first(), s.flat()}; }
 
 /// All but its name.
 Profile from_file(const gwt::Profile& p) {
@@ -63,16 +30,14 @@ Profile from_file(const gwt::Profile& p) {
             .color_planes = p.color_planes(),
             .fragment_fog = p.fragment_fog(),
             .perspective_color = p.perspective_color(),
-            .extensions = {p.polygon_offset(),  p.shadow_texture(),
-                           p.stencil_wrap(),    p.two_sided_stencil(),
-                           p.texture_border(),  p.texture_formats(),
-                           p.stipple(),         p.two_sided_polygon_mode(),
-                           p.logic_op(),        p.blend_color(),
-                           p.blend_minmax(),    p.blend_subtract(),
-                           p.draw_pixels(),     p.blend_separate(),
-                           p.blend_square(),    p.texture_sizes(),
-                           p.texture_wraps(),   p.texture_lod(),
-                           p.texture_combine(), p.texture_srgb()}};
+            .extensions = {p.polygon_offset(),    p.shadow_texture(),         p.stencil_wrap(),
+                           p.two_sided_stencil(), p.texture_border(),         p.texture_formats(),
+                           p.stipple(),           p.two_sided_polygon_mode(), p.logic_op(),
+                           p.blend_color(),       p.blend_minmax(),           p.blend_subtract(),
+                           p.draw_pixels(),       p.blend_separate(),         p.blend_square(),
+                           p.texture_sizes(),     p.texture_wraps(),          p.texture_lod(),
+                           p.texture_combine(),   p.texture_srgb(),           p.secondary_color(),
+                           p.fog_coordinate()}};
 }
 
 class Decoder {
@@ -185,7 +150,9 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
                   .texcoords_rq = structs<vec2>(m.texcoords_rq()),
                   .edge_flags = numbers(m.edge_flags()),
                   .materials = structs<FaceMaterials>(m.materials()),
-                  .material_indices = numbers(m.material_indices())};
+                  .material_indices = numbers(m.material_indices()),
+                  .secondary_colors = structs<vec3>(m.secondary_colors()),
+                  .fog_coordinates = numbers(m.fog_coordinates())};
     charge(sizeof(Mesh) + std::max(data.positions.size(), data.indices.size()) * sizeof(Triangle));
     return make_mesh(std::move(data));
 }
@@ -251,7 +218,7 @@ Command Decoder::command(const gwt::Draw& c) {
     if (c.material()) draw.material = from_file(*c.material());
     if (c.back_material())
         draw.back_material = std::make_shared<const Material>(from_file(*c.back_material()));
-    if (c.current()) draw.current = std::make_shared<const CurrentValues>(from_file(*c.current()));
+    draw.current = current_values(c);
     if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
     draw.map = binding(c.texture(), c.slot());
     return draw;
@@ -266,7 +233,7 @@ Command Decoder::command(const gwt::DrawPixels& c) {
                     .depths = numbers(c.depths()),
                     .stencils = numbers(c.stencils()),
                     .bits = numbers(c.bits())};
-    if (c.raster()) draw.raster = from_file(*c.raster());
+    draw.raster = raster_position(c);
     if (c.source()) draw.source = from_file(*c.source());
     draw.map = binding(c.texture(), c.slot());
     return draw;

@@ -153,11 +153,15 @@ std::uint32_t Encoder::mesh(const MeshRef& ref) {
     const auto edge_flags = numbers(m.edge_flags);
     const auto materials = structs<gwt::FaceMaterials>(m.materials);
     const auto material_indices = numbers(m.material_indices);
+    const auto secondary_colors = structs<gwt::Vec3>(m.secondary_colors);
+    const auto fog_coordinates = numbers(m.fog_coordinates);
     meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions,
                                       normals, texcoords, colors, indices, sizes, ids, w,
-                                      texcoords_rq, edge_flags, materials, material_indices));
+                                      texcoords_rq, edge_flags, materials, material_indices,
+                                      secondary_colors, fog_coordinates));
     uses_version_2_ = uses_version_2_ || !w.IsNull() || !texcoords_rq.IsNull() ||
-                      !edge_flags.IsNull() || !material_indices.IsNull();
+                      !edge_flags.IsNull() || !material_indices.IsNull() ||
+                      !secondary_colors.IsNull() || !fog_coordinates.IsNull();
     return place;
 }
 
@@ -217,11 +221,15 @@ Offset<void> Encoder::command(const Draw& c) {
     gwt::Material back;
     gwt::CurrentValues current;
     if (c.back_material) back = to_file(*c.back_material);
-    if (c.current) current = to_file(*c.current);
+    const CurrentValues values = c.current ? *c.current : CurrentValues();
+    if (c.current) current = to_file(values);
+    const auto secondary = to_file(values.secondary_color);
+    const bool has_secondary = values.secondary_color != vec3(0);
     uses_version_2_ = uses_version_2_ || c.back_material || c.current || !is_affine(c);
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
                            c.id_base, c.id_shift, c.back_material ? &back : nullptr,
-                           c.current ? &current : nullptr)
+                           c.current ? &current : nullptr, has_secondary ? &secondary : nullptr,
+                           values.fog_coordinate)
         .Union();
 }
 
@@ -232,11 +240,14 @@ Offset<void> Encoder::command(const DrawPixels& c) {
     const auto bits = numbers(c.bits);
     const std::uint32_t texture_place = texture(c.map);
     const auto raster = to_file(c.raster);
+    const auto secondary = to_file(c.raster.secondary_color);
+    const bool has_secondary = c.raster.secondary_color != Rgba{};
     gwt::PixelSource source;
     if (c.source) source = {file_enum<gwt::Plane>(c.source->plane), c.source->x, c.source->y};
     return gwt::CreateDrawPixels(out_, c.width, c.height, &raster, c.zoom_x, c.zoom_y, colors,
                                  depths, stencils, bits, c.source ? &source : nullptr,
-                                 texture_place, c.map.slot.value_or(no_place))
+                                 texture_place, c.map.slot.value_or(no_place),
+                                 has_secondary ? &secondary : nullptr, c.raster.fog_coordinate)
         .Union();
 }
 
@@ -268,7 +279,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
-        e.texture_lod, e.texture_combine, e.texture_srgb);
+        e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate);
 }
 
 bool needs_version_2(const Profile& p) {

@@ -112,6 +112,10 @@ auto& ours(OurState& s) {
         return s.texture.combine_alpha;
     else if constexpr (name == "color_material")
         return s.lighting.color_material;
+    else if constexpr (name == "separate_specular")
+        return s.lighting.separate_specular;
+    else if constexpr (name == "fog_source")
+        return s.fog.source;
     else if constexpr (name == "coordinates")
         return s.texture.coordinates;
     else if constexpr (name == "texture_matrix")

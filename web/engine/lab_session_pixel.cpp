@@ -246,8 +246,11 @@ std::vector<ref::Corner> corners_of(const Draw& draw, const Resolved& state,
     const VertexProgram program = vertex_program(state.state, draw, profile);
     for (std::uint32_t i = 0; i < 3; ++i) {
         const Vertex v = run_vertex(program, i);
-        ref::Corner corner{
-            to_window(v, state.viewport, state.state.depth_range, profile), v.texcoord, {}, v.fog};
+        ref::Corner corner{to_window(v, state.viewport, state.state.depth_range, profile),
+                           v.texcoord,
+                           {},
+                           {},
+                           v.fog};
         for (std::size_t c = 0; c < 4; ++c) corner.color[c] = std::int64_t(v.color[c]);
         corners.push_back(corner);
     }
@@ -311,11 +314,12 @@ Json LabSession::pixel(const Json& options) {
     if (!inside) return answer;  // a plane ends with its triangle
 
     static constexpr const char* channels[] = {"R", "G", "B", "A"};
-    const auto& color_planes = values.perspective_color ? values.color_numerator : values.color;
+    const auto& color_planes =
+        values.perspective_color ? values.color.numerator : values.color.plane;
     for (std::size_t c = 0; c < 4; ++c)
         answer["color_planes"].push_back(plane_json(channels[c], color_planes[c], x, y));
     answer["perspective"] = values.perspective_color;
-    Rgba color = ref::color_at(values, x, y, bits);
+    Rgba color = ref::color_at(values, values.color, x, y, bits);
     answer["color"] = color;
     if (asked.texture) {
         const Texels texels = make_texels(*asked.texture, bits, texel_bits(asked.profile));

@@ -13,7 +13,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Stores or adds colours that need no texture and no fog.
+/// Stores or adds colours that need no texture, no secondary colour and no fog.
 struct SimpleStore {
     Tile tile;
     bool adds;
@@ -26,8 +26,8 @@ struct SimpleStore {
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const BlendState& b = op.state.state.blend;
         const ColorMask& m = op.state.state.color_mask;
-        return !has_fog(op.state.state) && !op.texels && m.r && m.g && m.b && m.a &&
-               !op.state.state.logic_op.enable && (!b.enable || adds_colors(b));
+        return !has_fog(op.state.state) && !op.sums_colors && !op.texels && m.r && m.g && m.b &&
+               m.a && !op.state.state.logic_op.enable && (!b.enable || adds_colors(b));
     }
     template <class D>
     HWY_INLINE hn::Vec<D> result(D d, hn::Vec<D> own, const std::uint16_t* stored) const {

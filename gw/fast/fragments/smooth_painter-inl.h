@@ -82,6 +82,11 @@ private:
             ColorPlanes color;
             make_color_planes(draw_, primitive_, at, color);
             wide_colors(color, *draw_.op, bx, by, mask, outer_);
+            if (has_rare_values(*draw_.op)) {
+                RarePlanes rare;
+                make_rare_planes(draw_, primitive_, at, rare);
+                find_rare_values(rare, draw_, bx, by, mask, outer_.secondary, outer_.fog);
+            }
             if (draw_.op->texels) {
                 TexturePlanes texture;
                 make_texture_planes(draw_, primitive_, at, texture);

@@ -14,6 +14,13 @@ struct TilePlane {
     bool operator==(const TilePlane&) const = default;
 };
 
+/// V of at most 32 bits.
+inline std::int32_t value_of(const TilePlane& p, int i, int j) {
+    const std::uint64_t v =
+        p.c + std::uint64_t(p.gx) * std::uint64_t(i) + std::uint64_t(p.gy) * std::uint64_t(j);
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 16));
+}
+
 /// A primitive's depths: a plane, and the polygon offset that is added to its values.
 struct DepthPlane {
     TilePlane plane;

@@ -42,6 +42,8 @@ struct DrawOp {
     bool projective = false;         ///< texture coordinates are divided by q
     bool wide_texcoords = false;     ///< of some primitives (R9.19)
     bool by_pixel = false;           ///< its texture is looked up pixel by pixel
+    bool sums_colors = false;        ///< fragments add a secondary colour
+    bool direct_fog = false;         ///< fog from a given coordinate: `fog_table` has no part in it
     int visible_record = -1;         ///< the record that it makes or uses; -1: none
     bool counts_by_pixel = false;    ///< its record counts each pixel's fragments
     FragmentBytes bytes;
@@ -60,6 +62,8 @@ inline UniformPlanes touched_planes(const DrawOp& op) {
 inline bool has_rare_lookup(const TextureState& s, const Texels& texels) {
     return s.shadow_compare || texels.any_size || !is_plain_lookup(s);
 }
+/// Whether fragments have values that are found lane by lane (RarePlanes).
+inline bool has_rare_values(const DrawOp& op) { return op.sums_colors || op.direct_fog; }
 inline bool textures_by_pixel(const DrawOp& op) { return op.by_pixel; }
 
 }  // namespace fast

@@ -169,6 +169,8 @@ struct Planner {
         if (op.needs_color && !exact_id) op.colors = colors_of(inputs);
         if (op.colors && state.fog.enable) op.fog = fog_of(inputs);
         if (state.fog.enable && op.state.fragment_fog) op.fog_table = table_of(scanned);
+        op.sums_colors = op.colors && sums_colors(state);
+        op.direct_fog = op.fog && fog_is_direct(state.fog, op.state.fragment_fog);
         set.lists_used = set.lists_used || op.texcoords || op.colors || op.fog;
         segment.ops.push_back({op, steps[0].pass});
     }

@@ -9,13 +9,14 @@ namespace gw::fast {
 namespace {
 
 /// Stippled and antialiased fragments are not those of the covered centres. Records know one colour
-/// plane.
+/// plane, and no rare values.
 bool is_special(const State& s) {
     return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s) || draws_to_both(s);
 }
 
 bool may_share(const DrawOp& op) {
     const State& s = op.state.state;
+    if (has_rare_values(op)) return false;
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
     return s.depth.func == DepthFunc::Equal && !is_special(s) &&
@@ -60,9 +61,10 @@ Change change(const ReadOp&) { return Change::None; }
 /// Whether a draw is a depth pass of triangles only, all of whose fragments reach the depth test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    return change(op) == Change::Less && !is_special(s) && s.alpha.func == AlphaFunc::Always &&
-           !s.polygon_offset.enable && ignores_stencil(op.state.front) &&
-           ignores_stencil(op.state.back) && op.set->triangle_count == op.set->primitives.size();
+    return change(op) == Change::Less && !is_special(s) && !has_rare_values(op) &&
+           s.alpha.func == AlphaFunc::Always && !s.polygon_offset.enable &&
+           ignores_stencil(op.state.front) && ignores_stencil(op.state.back) &&
+           op.set->triangle_count == op.set->primitives.size();
 }
 
 std::uint64_t hash_of(const FragmentsKey& key) {

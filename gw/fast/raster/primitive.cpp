@@ -101,6 +101,35 @@ struct Maker {
         out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));
     }
 
+    void rare(RarePlanes& out) const {
+        out.q = denominator();
+        if (op().sums_colors) secondary(out);
+        if (!op().direct_fog) return;
+        const auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
+        const Numerators n = fog_numerators(used(f), used(w()));
+        out.fog = numerator(n.at);
+        out.fog_offset = n.offset;
+        out.fog_exponent = n.exponent;
+    }
+    void secondary(RarePlanes& out) const {
+        const std::vector<Rgba>& from = op().colors->secondary_of(primitive);
+        const bool flat = state().shade_model == ShadeModel::Flat;
+        out.perspective = draw.profile->perspective_color && !flat;
+        ColorPlanes planes;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Values a = gather<std::int64_t>([&](std::uint32_t v) {
+                return std::int64_t{from[flat ? primitive.provoking : v][c]};
+            });
+            if (out.perspective)
+                perspective(planes, c, a);
+            else
+                planes.color[c] = frame.plane(a);
+            out.secondary[c] = planes.color[c];
+        }
+        out.low = planes.low;
+        out.high = planes.high;
+    }
+
     static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
         return {plane, n.exponent, std::int32_t(added_part(n.offset, wrap)), {}};
     }
@@ -183,6 +212,11 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
     if (make.state().color_source == ColorSource::PolygonId) return;
     if (out.perspective || draw.op->fog_table) out.q = make.denominator();
     if (make.state().fog.enable) make.fog(out);
+}
+
+void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                      const PrimitiveFrame& frame, RarePlanes& out) {
+    Maker{draw, primitive, frame}.rare(out);
 }
 
 Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive) {

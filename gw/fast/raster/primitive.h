@@ -52,6 +52,17 @@ struct NarrowBatch {
     std::uint32_t black = 0;
 };
 
+/// Planes whose values are found lane by lane: the secondary colour, a given fog coordinate.
+struct RarePlanes {
+    bool perspective = false;
+    TilePlane secondary[3];  ///< R, G, B; numerators if `perspective`
+    Rgba low{}, high{};      ///< of the corners, by channel
+    TilePlane q;
+    TilePlane fog;  ///< numerator of the coordinate
+    double fog_offset = 0;
+    int fog_exponent = 0;
+};
+
 /// A block's texture coordinates after the division, each lane of its own primitive.
 struct TextureLanes {
     alignas(64) float u[block_pixels], v[block_pixels];  ///< U / Q 2^e
@@ -112,6 +123,7 @@ struct FilledBlocks {
 struct BatchScratch {
     FilledBlocks filled;
     ColorPlanes color[batch_capacity];
+    RarePlanes rare[batch_capacity];
     TexturePlanes texture[batch_capacity];
     TexelQueue queue;
 };
@@ -120,10 +132,17 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame);
 void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame, ColorPlanes& out);
+/// Of a draw that has_rare_values().
+void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                      const PrimitiveFrame& frame, RarePlanes& out);
 /// The colour of a primitive's identifier.
 Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                          const PrimitiveFrame& frame, TexturePlanes& out);
+
+/// The lanes of `mask` in block (bx, by), one by one: secondary colours and fog factors.
+void find_rare_values(const RarePlanes& planes, const TileDraw& draw, int bx, int by,
+                      std::uint32_t mask, ColorBlock& secondary, std::uint32_t* fog_factor);
 
 /// Lanes of `mask` in block (bx, by), one by one.
 void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,

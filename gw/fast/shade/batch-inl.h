@@ -46,6 +46,12 @@ struct BatchPlanes {
         else
             set_up_colors(draw, corners, shared, scratch.color);
         if (draw.op->texels) set_up_textures(draw, corners, shared, scratch.texture);
+        if (has_rare_values(*draw.op)) make_rare();
+    }
+    HWY_NOINLINE void make_rare() {
+        for (std::size_t i = 0; i < corners.count; ++i)
+            make_rare_planes(draw, *corners.primitive[i], frame_of(draw, corners.ordinal[i]),
+                             scratch.rare[i]);
     }
     HWY_INLINE void evaluate(std::size_t i, int bx, int by, std::uint32_t mask) {
         if (!narrow && !scratch.color[i].perspective)
@@ -78,6 +84,8 @@ struct BatchPlanes {
     /// The same if `in` has the texels.
     HWY_INLINE const ColorBlock& textured_color(std::size_t i, int bx, int by, std::uint32_t mask) {
         if (!flat || flat_in != i) evaluate(i, bx, by, mask);
+        if (has_rare_values(*draw.op))
+            find_rare_values(scratch.rare[i], draw, bx, by, mask, in.secondary, in.fog);
         return shaded(draw, in.texel, in);
     }
     /// Whether texels can be looked up for several blocks at once.

@@ -85,7 +85,8 @@ struct ModulatedTexels {
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const State& s = op.state.state;
         return op.pairs && !needs_rho(s.texture) && !textures_by_pixel(op) &&
-               (s.texture.env == TexEnv::Modulate || replaces(op)) && is_narrow(op) && !has_fog(s);
+               (s.texture.env == TexEnv::Modulate || replaces(op)) && is_narrow(op) &&
+               !has_fog(s) && !op.sums_colors;
     }
     /// Whether the texels are the colours: replaced, by a format with all channels.
     HWY_INLINE static bool replaces(const DrawOp& op) {

@@ -31,7 +31,8 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
 struct ShadeInputs {
     ColorBlock color;
     ColorBlock texel;
-    ColorBlock out;  ///< of the texture environment and fog
+    ColorBlock out;  ///< of the texture environment, colour sum and fog
+    ColorBlock secondary;
     TextureInputs texture;
     TextureLanes divided;
     alignas(64) std::uint32_t fog[block_pixels];
@@ -226,7 +227,19 @@ HWY_INLINE Sampler sampler_of(const DrawOp& op) {
     return {*op.texels, op.pairs, op.state.state.texture, op.state.bits};
 }
 
-/// Colour, texture, fog, in that order. `texel`: of the texture unit, if the draw is textured.
+/// Lane by lane.
+HWY_NOINLINE inline void add_secondary(const DrawOp& op, const ColorBlock& secondary,
+                                       const ColorBlock& color, ColorBlock& out) {
+    const std::uint32_t max = max_of_bits(op.state.bits);
+    for (std::size_t i = 0; i < block_pixels; ++i) {
+        for (std::size_t c = 0; c < 3; ++c)
+            out.channel[c][i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(
+                max, std::uint32_t{color.channel[c][i]} + secondary.channel[c][i]));
+        out.channel[3][i] = color.channel[3][i];
+    }
+}
+
+/// Colour, texture, colour sum, fog, in that order. `texel`: of the texture unit, if the draw is textured.
 HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBlock& texel,
                                              ShadeInputs& in) {
     const DrawOp& op = *draw.op;
@@ -235,6 +248,10 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     const ColorBlock* color = &in.color;
     if (op.texels) {
         apply_environment(op, *color, texel, in.out);
+        color = &in.out;
+    }
+    if (op.sums_colors) {
+        add_secondary(op, in.secondary, *color, in.out);
         color = &in.out;
     }
     if (s.fog.enable) {

@@ -16,12 +16,6 @@
 namespace gw::fast {
 namespace {
 
-std::int32_t value_at(const TilePlane& p, int i, int j) {
-    const std::uint64_t v =
-        p.c + std::uint64_t(p.gx) * std::uint64_t(i) + std::uint64_t(p.gy) * std::uint64_t(j);
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 16));
-}
-
 int level_coordinate(const TexturePlane& t, float uw, int log2_size) {
     constexpr float limit = 1073741824.0f;
     const float u =
@@ -40,11 +34,11 @@ struct PixelSampler {
     float w = 1;
 
     float over_q(const TexturePlane& t) const {
-        return static_cast<float>(value_at(t.plane, i, j)) * w;
+        return static_cast<float>(value_of(t.plane, i, j)) * w;
     }
     int position(const TexturePlane& t, int size, Wrap wrap) const {
         const bool wide = !draw.op->projective && t.exponent > largest_exponent_in_float;
-        const auto u = [&] { return value_at(t.plane, i, j); };
+        const auto u = [&] { return value_of(t.plane, i, j); };
         if (texels.any_size || wrap == Wrap::MirroredRepeat)
             return any_position(wide ? double(u()) / double(q) : double(over_q(t)), t.exponent, t.k,
                                 size, wrap);
@@ -89,7 +83,7 @@ struct PixelSampler {
     }
 
     Rgba texel() {
-        q = value_at(p.q, i, j);
+        q = value_of(p.q, i, j);
         if (draw.op->projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());

@@ -17,86 +17,6 @@ namespace gw::fast {
 
 namespace {
 
-bool same_lights(const LightsRef& a, const LightsRef& b) { return a == b || (a && b && *a == *b); }
-
-bool same_back(const Draw& a, const Draw& b) {
-    return a.back_material == b.back_material ||
-           (a.back_material && b.back_material && *a.back_material == *b.back_material);
-}
-
-/// Whether parts that have a draw already have one that gives the same texture coordinates.
-bool same_given(const VertexInputs& a, const GroupDraws& b) {
-    for (std::size_t i = 0; i < b.group.parts; ++i) {
-        const Draw* const draw = a.draws[b.group.first_part + i];
-        if (draw && (!same_current(*draw, *b.draws[i]) ||
-                     is_one_dimensional(*draw) != is_one_dimensional(*b.draws[i])))
-            return false;
-    }
-    return true;
-}
-
-/// The inputs of fog: its state without the colour.
-bool same_factors(FogState a, const FogState& b) {
-    a.color = b.color;
-    return a == b;
-}
-
-}  // namespace
-
-void VertexInputs::begin(const GroupDraws& group) {
-    set = group.group.set;
-    state = group.state;
-    draws.assign(set->parts.size(), nullptr);
-}
-
-void VertexInputs::add(const GroupDraws& group) {
-    std::copy_n(group.draws, group.group.parts, draws.begin() + group.group.first_part);
-}
-
-bool VertexInputs::has_room_for(const PartGroup& group) const {
-    const auto first = draws.begin() + group.first_part;
-    return std::all_of(first, first + group.parts, [](const Draw* draw) { return !draw; });
-}
-
-bool VertexColors::is_uniform(const PartGroup& group) const {
-    const auto first = uniform.begin() + group.first_part;
-    return std::find(first, first + group.parts, 0) == first + group.parts;
-}
-
-bool same_lighting(const VertexInputs& a, const GroupDraws& b) {
-    return a.set == b.group.set && a.state->color_source == b.state->color_source &&
-           (a.state->color_source != ColorSource::Lighting ||
-            (a.state->lighting == b.state->lighting && a.state->normalize == b.state->normalize));
-}
-
-bool same_colors(const VertexInputs& a, const GroupDraws& b) {
-    if (!same_lighting(a, b)) return false;
-    for (std::size_t i = 0; i < b.group.parts; ++i) {
-        const Draw* const draw = a.draws[b.group.first_part + i];
-        if (!draw || !same_current(*draw, *b.draws[i])) return false;
-        if (a.state->color_source == ColorSource::Lighting &&
-            !(draw->material == b.draws[i]->material && same_back(*draw, *b.draws[i]) &&
-              same_lights(draw->lights, b.draws[i]->lights)))
-            return false;
-    }
-    return true;
-}
-
-bool same_fog(const VertexInputs& a, const GroupDraws& b) {
-    return a.set == b.group.set && same_factors(a.state->fog, b.state->fog);
-}
-
-bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
-    const TextureState &s = a.state->texture, &t = b.state->texture;
-    return a.set == b.group.set && s.gen == t.gen &&
-           (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
-           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
-           (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
-           s.matrix == t.matrix && a.state->normalize == b.state->normalize && same_given(a, b);
-}
-
-namespace {
-
 Rgba to_rgba(const std::array<double, 4>& c) {
     return {std::uint16_t(c[0]), std::uint16_t(c[1]), std::uint16_t(c[2]), std::uint16_t(c[3])};
 }
@@ -248,6 +168,26 @@ bool light_part(const PartVertices& vertices, const VertexProgram& program, Prep
     return false;
 }
 
+/// The colours of a part's vertices, secondary ones included: one after the other.
+void sum_part(const PartVertices& vertices, const VertexProgram& program, VertexColors& out) {
+    const auto store = [](std::span<Rgba> to, std::size_t i, const std::array<double, 4>& color) {
+        if (!to.empty()) to[i] = to_rgba(color);
+    };
+    const auto of = [&](std::vector<Rgba>& all) {
+        return all.empty() ? std::span<Rgba>() : vertices.of(all);
+    };
+    const std::span<Rgba> front = of(out.front), back = of(out.back), secondary = of(out.secondary),
+                          back_secondary = of(out.back_secondary);
+    const auto put = [&](std::size_t i, const Vertex& v) {
+        store(front, i, v.color);
+        store(back, i, v.back_color);
+        store(secondary, i, v.secondary);
+        store(back_secondary, i, v.back_secondary);
+    };
+    for (const std::uint32_t v : vertices.used) put(v, run_vertex(program, v));
+    vertices.for_each_new(program, put);
+}
+
 /// The programs of draws under one state. Neighbours under one transform share theirs.
 class Programs {
 public:
@@ -297,6 +237,9 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
     const bool lit = state->color_source == ColorSource::Lighting;
     out.front.resize(set->vertex_count());
     if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
+    const bool sums = sums_colors(*state);
+    if (sums) out.secondary.resize(out.front.size());
+    if (sums) out.back_secondary.resize(out.back.size());
     out.uniform.assign(set->parts.size(), 0);
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
@@ -305,10 +248,12 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
         const std::span<Rgba> front = vertices.of(out.front);
         const std::span<Rgba> back = out.back.empty() ? std::span<Rgba>() : vertices.of(out.back);
         bool uniform = false;
-        if (lit || vertices.is_clipped()) {
+        if (lit || sums || vertices.is_clipped()) {
             const Untextured draw(*draws[i]);
             const VertexProgram& program = programs.of(*draw);
-            if (lit)
+            if (sums)
+                sum_part(vertices, program, out);
+            else if (lit)
                 uniform = light_part(vertices, program, lights, front, back);
             else
                 color_part(vertices, &program, *draws[i], profile, front);
@@ -334,7 +279,8 @@ void fog_vertices(VertexFog& out, const Profile& profile) {
         const std::span<double> value = vertices.of(out.value);
         for (const std::uint32_t v : vertices.used) {
             const dvec4 p_object = object_position(draws[i]->mesh->data(), v);
-            value[v] = fog_of(program, eye_point(transform(draws[i]->eye_from_object, p_object)).z);
+            value[v] =
+                fog_of(program, v, eye_point(transform(draws[i]->eye_from_object, p_object)).z);
         }
         vertices.for_each_new(program,
                               [&](std::size_t v, const Vertex& vertex) { value[v] = vertex.fog; });

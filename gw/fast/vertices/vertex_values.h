@@ -36,18 +36,28 @@ struct VertexInputs {
 struct VertexColors {
     VertexInputs inputs;
     std::vector<Rgba> front, back;
+    std::vector<Rgba> secondary, back_secondary;
     /// by part: each primitive has one colour
     std::vector<std::uint8_t> uniform;
 
     void clear() {
         front.clear();
         back.clear();
+        secondary.clear();
+        back_secondary.clear();
         uniform.clear();
     }
-    std::size_t bytes() const { return (front.capacity() + back.capacity()) * sizeof(Rgba); }
+    std::size_t bytes() const {
+        return (front.capacity() + back.capacity() + secondary.capacity() +
+                back_secondary.capacity()) *
+               sizeof(Rgba);
+    }
     /// The colours of a primitive's visible side.
     const std::vector<Rgba>& of(const SetupPrimitive& p) const {
         return p.front || back.empty() ? front : back;
+    }
+    const std::vector<Rgba>& secondary_of(const SetupPrimitive& p) const {
+        return p.front || back_secondary.empty() ? secondary : back_secondary;
     }
     bool is_uniform(const PartGroup& group) const;
 };

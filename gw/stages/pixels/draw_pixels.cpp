@@ -80,10 +80,14 @@ PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, cons
         texel_ = raster_texel(raster.texcoord, *texels, state, profile.depth_bits);
         format_ = texels->format;
     }
-    if (state.state.fog.enable)
-        fog_factor_ =
-            fog_factor(state.state.fog, bounded(raster.distance, largest_coordinate), state.bits);
-    is_plain_ = !texel_ && !state.state.fog.enable;
+    const FogState& fog = state.state.fog;
+    if (fog.enable)
+        fog_factor_ = fog_factor(
+            fog,
+            bounded(fog.source == FogSource::Coordinate ? raster.fog_coordinate : raster.distance,
+                    largest_coordinate),
+            state.bits);
+    is_plain_ = !texel_ && !sums_colors(state.state) && !state.state.fog.enable;
     raster_color_ = shaded(raster.color);
 }
 
@@ -93,6 +97,7 @@ Rgba PlacedPixels::shaded(const Rgba& color) const {
     if (texel_)
         out =
             texture_environment(s.texture, format_, out, *texel_, state_->env_color, state_->bits);
+    if (sums_colors(s)) out = sum_of_colors(out, pixels_->raster.secondary_color, state_->bits);
     return s.fog.enable ? apply_fog(out, fog_factor_, state_->fog_color, state_->bits) : out;
 }
 

@@ -65,7 +65,7 @@ private:
     std::optional<Rgba> texel_;
     TextureFormat format_ = TextureFormat::RGBA;
     std::uint32_t fog_factor_ = 0;
-    bool is_plain_ = false;  ///< neither texture nor fog
+    bool is_plain_ = false;  ///< neither texture, colour sum nor fog
     Rgba raster_color_{};    ///< after texture and fog
 };
 

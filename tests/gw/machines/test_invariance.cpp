@@ -111,6 +111,13 @@ const Change changes[] = {
          s.color_source = ColorSource::Lighting;
          s.lighting.color_material.enable = true;
      }},
+    {"color_sum", [](State& s) { s.color_sum = true; }},
+    {"lighting.separate_specular",
+     [](State& s) {
+         s.color_source = ColorSource::Lighting;
+         s.lighting.separate_specular = true;
+     }},
+    {"fog.source", [](State& s) { s.fog = {.enable = true, .source = FogSource::Coordinate}; }},
     {"texture.matrix",
      [](State& s) {
          s.texture.matrix[0] = {2, 1, 0, 1};
@@ -138,6 +145,8 @@ const Change changes[] = {
          data.normals.assign(data.positions.size(), vec3(1, 2, 3));
          data.texcoords.assign(data.positions.size(), vec2(70, -3));
          data.colors.assign(data.positions.size(), vec4(0.5f));
+         data.secondary_colors.assign(data.positions.size(), vec3(0.5f));
+         data.fog_coordinates.assign(data.positions.size(), -3);
          d.mesh = make_mesh(std::move(data));
      }},
 };
@@ -148,9 +157,9 @@ const Change changes[] = {
                                   polygon_mode, two_side_polygon_mode, back_polygon_mode,
                                   line_stipple, polygon_stipple, polygon_offset, jitter, point_size,
                                   line_width, point_smooth, line_smooth, polygon_smooth,
-                                  shade_model, color_source, lighting, fog, texture, scissor, alpha,
-                                  stencil, depth, blend, logic_op, color_mask, draw_buffer,
-                                  read_buffer] = state;
+                                  shade_model, color_source, lighting, color_sum, fog, texture,
+                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask,
+                                  draw_buffer, read_buffer] = state;
 }
 
 struct Scene {
@@ -171,6 +180,8 @@ Scene any_scene(std::uint64_t seed) {
         draw(s, any_triangles(r, s.frame, {.normals = true, .texcoords = true}), 100);
     Scene scene{s.out, s.state, {}};
     scene.where.profile.color_planes = 2;
+    scene.where.profile.extensions.secondary_color = true;
+    scene.where.profile.extensions.fog_coordinate = true;
     scene.state.color_source = ColorSource::Vertex;
     for (const Command& command : s.out.list.commands)
         if (const auto* draw = std::get_if<Draw>(&command)) scene.draws.push_back(*draw);

@@ -112,6 +112,76 @@ TEST(ManualFog, BlackFogPlusFoggedBlackIsOnePassOfFog) {
         }
 }
 
+/// Red of pixel x of a white line from (0, 0.5) to (4, 0.5) in black fog.
+int fogged_line(const FogState& fog, float first, float second, int x) {
+    Workbench bench(opengl(), 4, 4);
+    bench.state.fog = fog;
+    MeshData line = test::mesh_data(Primitive::Lines, {{0, 0.5f, 0}, {4, 0.5f, 0}});
+    line.fog_coordinates = {first, second};
+    bench.draw(line);
+    return bench.color(x, 0)[0];
+}
+
+// [R11.8]
+TEST(ManualFog, GivenCoordinates) {
+    FogState fog{.enable = true,
+                 .mode = FogMode::Linear,
+                 .density = 0.5f,
+                 .start = -4,
+                 .end = 4,
+                 .source = FogSource::Coordinate};
+    for (const FogCoordinate where : {FogCoordinate::Fragment, FogCoordinate::Vertex}) {
+        fog.coordinate = where;
+        EXPECT_EQ(fogged_line(fog, -4, 4, 1), 159);
+        EXPECT_EQ(fogged_line(fog, -4, 4, 2), 96);
+        EXPECT_EQ(fogged_line(fog, 1e30f, 1e30f, 2), 0);
+        EXPECT_EQ(fogged_line(fog, -1e30f, -1e30f, 2), 255);
+    }
+    fog.coordinate = FogCoordinate::Fragment;
+    fog.mode = FogMode::Exp2;
+    EXPECT_EQ(fogged_line(fog, -4, 4, 1), 199);
+    EXPECT_EQ(fogged_line(fog, -4, 4, 2), 199);
+    fog.mode = FogMode::Exp;
+    EXPECT_EQ(fogged_line(fog, -4, 4, 1), 255);
+    EXPECT_EQ(fogged_line(fog, -4, 4, 2), 155);  // exp(-1/2): 154.67
+    fog.source = FogSource::Depth;               // the line is at the distance 0
+    EXPECT_EQ(fogged_line(fog, 9, 9, 1), 255);
+}
+
+// [R1.4]
+TEST(ManualFog, AGivenCoordinateIsAnExtension) {
+    Workbench bench(ideal(), 4, 4);
+    bench.state.fog.source = FogSource::Coordinate;
+    EXPECT_EQ(test::error_of([&] { bench.clear(); }),
+              "command 0 (SetState): extension fog_coordinate is not in profile ideal");
+}
+
+// [R11.8] [R5.9]
+TEST(ManualFog, TheCurrentCoordinateAndTheRasterPositions) {
+    Workbench bench(opengl(), 4, 4);
+    bench.state.fog = {.enable = true,
+                       .mode = FogMode::Linear,
+                       .start = 0,
+                       .end = 4,
+                       .source = FogSource::Coordinate};
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}}))};
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(0, 0)[0], 255);
+    CurrentValues current;
+    current.fog_coordinate = 3;
+    draw.current = std::make_shared<const CurrentValues>(current);
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(0, 0)[0], 64);  // 63.75
+    DrawPixels pixels{.width = 1, .height = 1, .colors = {{255, 255, 255, 255}}};
+    pixels.raster.distance = 4;
+    pixels.raster.fog_coordinate = 1;
+    bench.run(pixels);
+    EXPECT_EQ(bench.color(0, 0)[0], 191);
+    pixels.raster.fog_coordinate = -1;
+    bench.run(pixels);
+    EXPECT_EQ(bench.color(0, 0)[0], 255);
+}
+
 // [R6.13]
 TEST(ManualFog, IdentifiersAreNeverFogged) {
     Workbench bench;

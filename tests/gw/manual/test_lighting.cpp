@@ -1,4 +1,5 @@
 // docs/manual/lighting.md: the worked examples.
+#include "gw/stages/clip.h"
 #include "gw/stages/lighting.h"
 #include "tests/gw/workbench.h"
 
@@ -12,8 +13,9 @@ double red(const Material& material, const Light& light, const dvec3& p = dvec3(
            Profile profile = vgx(), bool local_viewer = false) {
     Draw draw{.material = material};
     draw.lights = std::make_shared<const std::vector<Light>>(1, light);
-    return lit_color(draw.material, draw.lights, {.local_viewer = local_viewer}, profile, p,
-                     {0, 0, 1})[0];
+    return lit_colors(draw.material, draw.lights, {.local_viewer = local_viewer}, profile, p,
+                      {0, 0, 1})
+        .color[0];
 }
 
 const Material shiny{
@@ -78,9 +80,124 @@ TEST(ManualLighting, ALocalViewerSeesTheHighlightFromTheEye) {
 TEST(ManualLighting, LightsAddAndTheSumIsClampedOnce) {
     Draw draw{.material = {.Ka = vec3(0), .Kd = vec3(1), .Ke = vec3(-1), .alpha = 0.5f}};
     draw.lights = std::make_shared<const std::vector<Light>>(3, Light{.Id = vec3(0.5f)});
-    const auto color = lit_color(draw.material, draw.lights, {}, vgx(), dvec3(0), {0, 0, 1});
+    const auto color = lit_colors(draw.material, draw.lights, {}, vgx(), dvec3(0), {0, 0, 1}).color;
     EXPECT_EQ(color[0], 128);  // -1 + 3 * 0.5: not clamped in between
     EXPECT_EQ(color[3], 128);
+}
+
+// [R8.11]
+TEST(ManualLighting, HighlightsApart) {
+    const LightsRef lights = std::make_shared<const std::vector<Light>>(1, slanting);
+    const auto [color, secondary] =
+        lit_colors(shiny, lights, {.separate_specular = true}, vgx(), dvec3(0), {0, 0, 1});
+    EXPECT_EQ(color[0], 150);     // 149.81
+    EXPECT_EQ(secondary[0], 57);  // 57.375
+    const auto joined = lit_colors(shiny, lights, {}, vgx(), dvec3(0), {0, 0, 1});
+    EXPECT_EQ(joined.secondary, (std::array<double, 4>{}));
+}
+
+/// The line of the worked example.
+struct SecondaryLine {
+    test::Workbench bench{opengl(), 4, 4};
+    MeshData mesh = test::mesh_data(Primitive::Lines, {{0, 0.5f, 0}, {4, 0.5f, 0}},
+                                    {{0.5f, 0.5f, 0.5f, 0.25f}, {0.5f, 0.5f, 0.5f, 0.25f}});
+    SecondaryLine() {
+        mesh.secondary_colors = {{0, 1, 0}, {0, 0, 0}};
+        bench.state.color_sum = true;
+    }
+    Rgba at(int x) {
+        bench.draw(mesh);
+        return bench.color(x, 0);
+    }
+};
+
+// [R8.12] [R8.13]
+TEST(ManualLighting, SecondaryColoursAreAdded) {
+    SecondaryLine line;
+    EXPECT_EQ(line.at(1), (Rgba{128, 255, 128, 64}));
+    EXPECT_EQ(line.at(3), (Rgba{128, 160, 128, 64}));
+    line.bench.state.shade_model = ShadeModel::Flat;
+    EXPECT_EQ(line.at(1), (Rgba{128, 128, 128, 64}));
+    line.bench.state.shade_model = ShadeModel::Smooth;
+    line.bench.state.color_sum = false;
+    EXPECT_EQ(line.at(1), (Rgba{128, 128, 128, 64}));
+    line.bench.state.color_sum = true;
+    line.bench.state.color_source = ColorSource::PolygonId;
+    EXPECT_EQ(line.at(1), (Rgba{0, 0, 0, 255}));
+}
+
+// [R8.13]
+TEST(ManualLighting, TheSumComesAfterTextureAndBeforeFog) {
+    SecondaryLine line;
+    line.mesh.texcoords = {{0, 0}, {0, 0}};
+    const std::vector<std::uint16_t> black{0, 0, 0, 65535};
+    Draw draw{.mesh = make_mesh(line.mesh), .map = {make_texture("black", 1, 1, black), {}}};
+    line.bench.draw(draw);
+    EXPECT_EQ(line.bench.color(1, 0), (Rgba{0, 159, 0, 64}));
+    line.bench.state.fog = {
+        .enable = true, .mode = FogMode::Linear, .start = -1, .end = 1, .color = {1, 0, 0, 0}};
+    line.bench.state.projection[2] = {0, 0, 0, 0};
+    line.bench.state.projection[3].z = 0;
+    line.bench.draw(draw);
+    EXPECT_EQ(line.bench.color(1, 0), (Rgba{127, 80, 0, 64}));  // f = 128
+}
+
+// [R8.11] [R8.13] [R8.8]
+TEST(ManualLighting, SeparateHighlightsNeedNoColourSum) {
+    test::Workbench bench(opengl(), 4, 4);
+    bench.state.color_source = ColorSource::Lighting;
+    bench.state.lighting.two_side = true;
+    bench.state.lighting.separate_specular = true;
+    const std::vector<vec3> square{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+    Draw draw{.mesh = make_mesh(test::mesh_data(Primitive::Quads, square))};
+    draw.material = {.Ka = vec3(0), .Kd = vec3(0), .Ks = {0.5f, 0, 0}, .Ke = {0, 0, 1}};
+    draw.lights = std::make_shared<const std::vector<Light>>(1, Light{});
+    const std::vector<std::uint16_t> black{0, 0, 0, 65535};
+    draw.map = {make_texture("black", 1, 1, black), {}};
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{128, 0, 0, 255}));
+    bench.state.cull.front = Winding::CW;  // the light is behind the back
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{0, 0, 0, 255}));
+    bench.state.lighting.separate_specular = false;
+    bench.state.color_sum = true;
+    bench.state.cull.front = Winding::CCW;
+    bench.draw(draw);
+    EXPECT_EQ(bench.color(1, 1), (Rgba{0, 0, 0, 255}));
+}
+
+// [R8.12] [R8.13]
+TEST(ManualLighting, DrawnPixelsAddTheRasterPositionsColour) {
+    test::Workbench bench(opengl(), 4, 4);
+    bench.state.color_sum = true;
+    DrawPixels pixels{.width = 1, .height = 1, .colors = {{10, 20, 250, 40}}};
+    pixels.raster.secondary_color = {1, 2, 30, 99};
+    bench.run(pixels);
+    EXPECT_EQ(bench.color(0, 0), (Rgba{11, 22, 255, 40}));
+    bench.state.color_sum = false;
+    bench.run(pixels);
+    EXPECT_EQ(bench.color(0, 0), (Rgba{10, 20, 250, 40}));
+}
+
+// [R1.4]
+TEST(ManualLighting, ASecondaryColourIsAnExtension) {
+    for (const bool sum : {false, true}) {
+        test::Workbench bench(ideal(), 4, 4);
+        (sum ? bench.state.color_sum : bench.state.lighting.separate_specular) = true;
+        EXPECT_EQ(test::error_of([&] { bench.clear(); }),
+                  "command 0 (SetState): extension secondary_color is not in profile ideal");
+    }
+}
+
+// [R8.12] A cut rounds the secondary colour as the colour.
+TEST(ManualLighting, ClippingCutsSecondaryColours) {
+    Vertex in, out;
+    in.color = in.secondary = in.back_secondary = {255, 10, 0, 0};
+    out.color = out.secondary = {0, 255, 0, 0};
+    const Vertex cut = interpolate(in, out, 0.5);
+    EXPECT_EQ(cut.secondary, cut.color);
+    EXPECT_EQ(cut.secondary[0], 128);  // 127.5
+    EXPECT_EQ(cut.back_secondary[1], 5);
 }
 
 /// Three points, of which the mesh gives materials or colours.

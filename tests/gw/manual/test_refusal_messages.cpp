@@ -163,6 +163,8 @@ std::vector<std::string> refused_draws() {
     current([](CurrentValues& v) { v.color.x = nan; });
     current([](CurrentValues& v) { v.normal.y = infinity; });
     current([](CurrentValues& v) { v.texcoord.w = nan; });
+    current([](CurrentValues& v) { v.secondary_color.z = nan; });
+    current([](CurrentValues& v) { v.fog_coordinate = infinity; });
     add([](Draw& d) { d.id_shift = 32; });
     add([](Draw& d) { d.lights = std::make_shared<const std::vector<Light>>(9); });
     add([](Draw& d) { d.map.slot = 3; });
@@ -251,6 +253,7 @@ std::vector<std::string> refused_draw_pixels() {
         refused_pixels([](D& d) { d.raster.texcoord.z = nan; }),
         refused_pixels([](D& d) { d.raster.distance = -1; }),
         refused_pixels([](D& d) { d.raster.distance = nan; }),
+        refused_pixels([](D& d) { d.raster.fog_coordinate = infinity; }),
         refused_pixels([](D& d) { d.zoom_x = nan; }),
         refused_pixels([](D& d) { d.zoom_y = infinity; }),
         refused_pixels([](D& d) { d.colors.resize(1); }),
