@@ -25,6 +25,7 @@ Case drawn_pixels_case(Random& random);
 Case lighting_case(Random& random);
 Case lines_and_points_case(Random& random);
 Case multipass_case(Random& random);
+Case occlusion_query_case(Random& random);
 Case pixels_case(Random& random);
 Case polygon_mode_case(Random& random);
 Case profile_case(Random& random);

@@ -120,6 +120,8 @@ const std::vector<Group>& all_groups() {
          secondary_color_case, 24, color, {&C::clipped, &C::texels, &C::written}},
         {"fog-coordinate", "fog by coordinates of the vertices, of any size and sign", "R11.8 R5.9",
          fog_coordinate_case, 24, color, {&C::clipped, &C::written}},
+        {"occlusion-query", "fragments counted between two commands, over passes", "R14.11",
+         occlusion_query_case, 8, depth, {&C::depth_killed, &C::written}},
     };
     return all;
 }

@@ -188,8 +188,16 @@ struct SwapBuffers {
     bool operator==(const SwapBuffers&) const = default;
 };
 
+/// Extension occlusion_query: begins or ends the count of fragments that pass all tests
+/// (glBeginQuery, GL_SAMPLES_PASSED). One query is active at a time, over lists too.
+struct Query {
+    std::uint32_t key = 0;
+    bool begin = true;
+    bool operator==(const Query&) const = default;
+};
+
 using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
-                             Copy, CopyTexture, Read, DrawPixels, SwapBuffers>;
+                             Copy, CopyTexture, Read, DrawPixels, SwapBuffers, Query>;
 
 /// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
 /// commands compares their addresses, inspect/compare/difference.h their content.

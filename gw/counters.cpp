@@ -23,4 +23,11 @@ Counters& Counters::operator+=(const Counters& other) {
     return *this;
 }
 
+std::optional<std::uint64_t> query_result(std::span<const PassReport> passes, std::uint32_t key) {
+    for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass)
+        for (auto query = pass->queries.rbegin(); query != pass->queries.rend(); ++query)
+            if (query->key == key) return query->samples;
+    return {};
+}
+
 }  // namespace gw

@@ -5,6 +5,8 @@
 #include "gw/planes.h"
 
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,13 @@ struct Counters {
     bool operator==(const Counters&) const = default;
 };
 
+/// The result of a query: fragments written from its begin to its end.
+struct QueryResult {
+    std::uint32_t key = 0;
+    std::uint64_t samples = 0;
+    bool operator==(const QueryResult&) const = default;
+};
+
 /// The counts of one pass, which extends from a BeginPass to the next. Commands before the first
 /// BeginPass are counted in a pass named "".
 struct PassReport {
@@ -45,7 +54,11 @@ struct PassReport {
     Counters counters;
     PlaneMask digested = 0;
     std::array<Digest, every_plane.size()> digests{};  ///< by Plane, of the planes in `digested`
+    std::vector<QueryResult> queries{};                ///< that ended in it, in order
     bool operator==(const PassReport&) const = default;
 };
+
+/// The last result of the query of this key that ended in these passes.
+std::optional<std::uint64_t> query_result(std::span<const PassReport> passes, std::uint32_t key);
 
 }  // namespace gw

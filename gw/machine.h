@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -82,8 +83,15 @@ struct ListContext {
     State state;
     std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
     ReadTargets targets{};
-    std::string pass{};  ///< the pass that the list continues
+    std::string pass{};                    ///< the pass that the list continues
+    std::optional<std::uint32_t> query{};  ///< the active one
 };
+
+/// What a query leaves to the commands after it.
+inline void follow(const Query& query, ListContext& context) {
+    context.query.reset();
+    if (query.begin) context.query = query.key;
+}
 
 /// The name of the last pass, for ListContext; "" before the first.
 inline std::string pass_name(const std::vector<PassReport>& passes) {

@@ -62,7 +62,8 @@ Profile opengl() {
                     .texture_combine = true,
                     .texture_srgb = true,
                     .secondary_color = true,
-                    .fog_coordinate = true};
+                    .fog_coordinate = true,
+                    .occlusion_query = true};
     return p;
 }
 
@@ -90,6 +91,7 @@ std::span<const ExtensionName> extension_names() {
         {"texture_srgb", &Extensions::texture_srgb},
         {"secondary_color", &Extensions::secondary_color},
         {"fog_coordinate", &Extensions::fog_coordinate},
+        {"occlusion_query", &Extensions::occlusion_query},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -37,6 +37,7 @@ struct Extensions {
     bool texture_srgb = false;            ///< Texture::srgb
     bool secondary_color = false;         ///< a second colour, added after texture
     bool fog_coordinate = false;          ///< FogSource::Coordinate
+    bool occlusion_query = false;         ///< Query
     bool operator==(const Extensions&) const = default;
 };
 

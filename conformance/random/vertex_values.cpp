@@ -1,9 +1,10 @@
-// Values of vertices that OpenGL 1.4 added: secondary colours and fog coordinates.
+// Values of vertices that OpenGL 1.4 added, secondary colours and fog coordinates; queries of 1.5.
 #include "conformance/cases.h"
 #include "conformance/generate/draw.h"
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/state.h"
 
+#include <optional>
 #include <utility>
 
 namespace gw::conformance {
@@ -119,6 +120,31 @@ Case fog_coordinate_case(Random& r) {
             pixels.raster.fog_coordinate = any_fog_coordinate(r, depth);
             add(s, std::move(pixels));
         }
+        between_draws(s);
+    }
+    return s.out;
+}
+
+// Queries that begin and end anywhere.
+Case occlusion_query_case(Random& r) {
+    Script s = script(r, any_opengl_profile(r, &Extensions::occlusion_query));
+    std::optional<std::uint32_t> active;
+    const int steps = r.between(4, 16);
+    for (int i = 0; i < steps; ++i) {
+        if (r.chance(45)) {
+            const std::uint32_t key = active.value_or(std::uint32_t(r.below(3)));
+            add(s, Query{key, !active});
+            active = active ? std::nullopt : std::optional(key);
+        }
+        s.state.depth = any_depth(r);
+        s.state.alpha = r.chance(30) ? any_alpha(r) : AlphaState{};
+        s.state.stencil = r.chance(30) ? any_stencil(r, s.out.profile) : StencilState{};
+        s.state.color_mask = any_color_mask(r);
+        const int kind = r.below(10);
+        if (kind < 7) draw(s, any_mesh(r, s.frame, {.most = 5}));
+        if (kind == 7) add(s, any_pixels(r, s.out));
+        if (kind == 8) add(s, any_spans(r, s.out));
+        if (kind == 9) add(s, any_draw_pixels(s));
         between_draws(s);
     }
     return s.out;

@@ -14,13 +14,15 @@ from .machine import Machine
 from .recordings import readers
 
 
-def differences(name, counters, digests, expected):
+def differences(name, counters, digests, queries, expected):
     """What a pass has otherwise than its manifest says."""
     if name != expected["name"]:
         yield f"name '{name}', expected '{expected['name']}'"
     for plane, digest in expected["digests"].items():
         if digests[plane] != digest:
             yield f"plane {plane}"
+    if queries != expected.get("queries", []):
+        yield f"queries {queries}, expected {expected.get('queries', [])}"
     wanted = expected["counters"]
     for counter in sorted(set(wanted) | set(counters)):
         if counters.get(counter, 0) != wanted.get(counter, 0):

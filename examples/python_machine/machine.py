@@ -56,13 +56,15 @@ class Machine:
         self.counters = Counter()
         self.textures = {}
         self.pass_name = None
+        self.query, self.queries = None, []  # [R14.11]
         # [R14.8]
         self.bytes_of = {"Color": 4 * -(-profile.color_bits // 8),
                          "Depth": -(-profile.depth_bits // 8), "Stencil": 1,
                          "Accum": 4 * -(-profile.accum_bits // 8)}
 
     def execute(self, commands):
-        """Runs commands; yields (name, counters, digests) of each pass that ends [R14.1]."""
+        """Runs commands; yields (name, counters, digests, queries) of each pass that ends
+        [R14.1]."""
         for command in commands:
             if command.kind == "BeginPass":
                 if self.pass_name is not None:
@@ -80,12 +82,27 @@ class Machine:
     def end_pass(self):
         digests = {plane.name.lower(): digest(self.planes, plane) for plane in Plane
                    if plane != Plane.Back or self.profile.color_planes == 2}
-        ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests)
+        ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests,
+                 self.queries)
+        if self.query is not None:
+            self.query += self.counters["written"]
         self.counters.clear()
+        self.queries = []
         return ended
+
+    def run_query(self, command):
+        """[R14.11] While a query is active, `query` counts from before the pass began."""
+        if command.begin:
+            self.query = -self.counters["written"]
+        else:
+            self.queries.append([command.key, self.query + self.counters["written"]])
+            self.query = None
 
     def run(self, command):
         """[R5.1]"""
+        if command.kind == "Query":
+            self.run_query(command)
+            return
         {"Clear": pixels.clear, "Draw": draw.run, "WriteSpans": pixels.write_spans,
          "WritePixels": pixels.write_pixels, "Accumulate": pixels.accumulate,
          "Copy": pixels.copy, "CopyTexture": pixels.copy_texture,

@@ -40,3 +40,4 @@ class Profile:
     texture_srgb: bool = False
     secondary_color: bool = False
     fog_coordinate: bool = False
+    occlusion_query: bool = False

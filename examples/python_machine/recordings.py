@@ -344,6 +344,9 @@ class Reader:
     def read_SwapBuffers(self, _):
         return {}
 
+    def read_Query(self, c):
+        return {"key": c.key, "begin": c.begin}
+
     def read_Read(self, c):
         return {"key": c.key, "plane": c.plane, "rect": box(c.rect), "packed": c.packed}
 

@@ -6,6 +6,7 @@
 #include "gw/fast/simd/simd_target.h"
 #include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/tile_run.h"
+#include "gw/stages/sample_queries.h"
 #include "gw/stages/tables.h"
 
 #include <bit>
@@ -27,9 +28,9 @@ public:
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         machine_.targets = std::exchange(next_targets_, {});
-        validate(
-            list, profile_, grid().width, grid().height,
-            {machine_.state, machine_.slot_planes, machine_.targets, pass_name(machine_.passes)});
+        validate(list, profile_, grid().width, grid().height,
+                 {machine_.state, machine_.slot_planes, machine_.targets,
+                  pass_name(machine_.passes), queries_.active()});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             rest = rest.subspan(plan_segment(rest, machine_, profile_, grid(), threads_));
@@ -54,7 +55,10 @@ public:
         return planes_;
     }
     const std::vector<PassReport>& passes() override { return machine_.passes; }
-    void reset_passes() override { machine_.passes.clear(); }
+    void reset_passes() override {
+        queries_.forget(machine_.passes);
+        machine_.passes.clear();
+    }
     const std::map<std::uint32_t, Readback>& readbacks() override { return machine_.readbacks; }
     void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
         next_targets_[key] = {values, layout};
@@ -89,7 +93,7 @@ private:
 
     void run_barrier(const BeginPass& command) {
         take_digests();
-        machine_.passes.push_back({command.name, {}, command.digests, {}});
+        machine_.passes.push_back({command.name, {}, command.digests, {}, {}});
     }
     void run_barrier(const Copy& command) {
         const Resolved r = resolve(machine_.state, profile_, grid().width, grid().height);
@@ -120,6 +124,7 @@ private:
         std::swap(planes_.color, planes_.back);
         count(0, 0);
     }
+    void run_barrier(const Query& command) { queries_.run(command, machine_.passes); }
     void run_barrier(const auto&) {}
 
     void count(std::uint64_t pixels, std::uint64_t bytes) {
@@ -135,6 +140,7 @@ private:
     Planes planes_;
     bool planes_are_current_ = true;
     MachineState machine_;
+    SampleQueries queries_;
     ReadTargets next_targets_;
 };
 

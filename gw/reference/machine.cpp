@@ -8,6 +8,7 @@
 #include "gw/reference/primitives.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/pixels/draw_pixels.h"
+#include "gw/stages/sample_queries.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ public:
         // Nobody else has these textures any more.
         std::erase_if(texels_, [](const auto& kept) { return kept.first.use_count() == 1; });
         validate(list, profile_, planes_.width, planes_.height,
-                 {state_, slot_planes_, targets_, pass_name(passes_)});
+                 {state_, slot_planes_, targets_, pass_name(passes_), queries_.active()});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
             if (observer_) observer_->begin_command(i);
             std::visit([this](const auto& command) { run_command(command); }, list.commands[i]);
@@ -52,7 +53,10 @@ public:
 
     const Planes& planes() override { return planes_; }
     const std::vector<PassReport>& passes() override { return passes_; }
-    void reset_passes() override { passes_.clear(); }
+    void reset_passes() override {
+        queries_.forget(passes_);
+        passes_.clear();
+    }
     const std::map<std::uint32_t, Readback>& readbacks() override { return readbacks_; }
     void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
         next_targets_[key] = {values, layout};
@@ -96,7 +100,7 @@ private:
 
     void run_command(const BeginPass& command) {
         take_digests();
-        passes_.push_back({command.name, {}, command.digests, {}});
+        passes_.push_back({command.name, {}, command.digests, {}, {}});
     }
     void run_command(const SetState& command) { state_ = command.state; }
     void run_command(const Draw& command) {
@@ -124,6 +128,7 @@ private:
         run(command, r, target(r), profile_, used);
         if (used) count_texels(before);
     }
+    void run_command(const Query& command) { queries_.run(command, passes_); }
     void run_command(const SwapBuffers& command) { run(command, target(resolved())); }
     void run_command(const CopyTexture& command) {
         const Resolved r = resolved();
@@ -148,6 +153,7 @@ private:
     Planes planes_;
     State state_;
     std::vector<PassReport> passes_;
+    SampleQueries queries_;
     std::map<std::uint32_t, Texels> slots_;
     std::map<std::uint32_t, Plane> slot_planes_;
     std::map<TextureRef, Texels> texels_;

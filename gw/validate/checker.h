@@ -82,5 +82,6 @@ void check(const Checker& c, const Read& read);
 void check(const Checker& c, const DrawPixels& draw);
 void check(const Checker& c, const TextureBinding& map);
 void check(const Checker& c, const SwapBuffers& swap);
+void check(const Checker& c, const Query& query);
 
 }  // namespace gw

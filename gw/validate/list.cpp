@@ -53,6 +53,15 @@ void check_in_context(const Checker& c, const Read& read, const ListContext& con
     check_target(c, read, context);
 }
 
+/// A query begins if none is active, and ends if it is.
+void check_in_context(const Checker& c, const Query& query, const ListContext& context) {
+    const std::optional<std::uint32_t>& active = context.query;
+    if (query.begin && active)
+        c.fail(fmt::format("query {} is active; expected its end before", *active));
+    if (!query.begin && active != query.key)
+        c.fail(fmt::format("query {} is not active; expected its begin before", query.key));
+}
+
 void follow(const auto&, ListContext&) {}
 /// Only the texture's state decides whether a later command is valid.
 void follow(const SetState& set, ListContext& context) {
@@ -94,6 +103,8 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
                 checker.pass = context.pass;
                 check(checker, c);
                 check_in_context(checker, c, context);
+                if constexpr (std::is_same_v<std::decay_t<decltype(c)>, Query>)
+                    gw::follow(c, context);
             },
             command);
         checker.command += 1;

@@ -167,6 +167,10 @@ void check(const Checker& c, const SwapBuffers&) {
     c.require(c.profile.color_planes == 2, "color_planes", c.profile.color_planes, "2");
 }
 
+void check(const Checker& c, const Query&) {
+    c.extension(true, c.profile.extensions.occlusion_query, "occlusion_query");
+}
+
 void check(const Checker& c, const BeginPass& pass) {
     if ((pass.digests & ~planes_of(c.profile)) == 0) return;
     const bool two = c.profile.color_planes == 2;

@@ -50,6 +50,8 @@ Json pass_json(const ManifestPass& pass) {
         if (pass.report.digested & mask_of(plane))
             digests[name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
     if (!digests.empty()) json["digests"] = std::move(digests);
+    for (const QueryResult& query : pass.report.queries)
+        json["queries"].push_back({query.key, query.samples});
     return json;
 }
 
@@ -145,6 +147,18 @@ Profile profile_from(const Json& json) {
     return p;
 }
 
+/// Pairs of a key and a count.
+std::vector<QueryResult> queries_from(const Json& json, const std::string& where) {
+    std::vector<QueryResult> out;
+    for (const Json& pair : json) {
+        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_number_unsigned() ||
+            !pair[1].is_number_unsigned())
+            throw Error(where + ": queries are pairs of a key and a count");
+        out.push_back({pair[0].get<std::uint32_t>(), pair[1].get<std::uint64_t>()});
+    }
+    return out;
+}
+
 /// A pass of a machine with these planes.
 ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& where) {
     Members m(json, where);
@@ -165,6 +179,7 @@ ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& wh
         pass.report.digests[std::size_t(plane)] = digest_from(digests, name_of(plane));
     }
     digests.finish();
+    if (m.has("queries")) pass.report.queries = queries_from(m.take("queries"), where);
     m.finish();
     pass.report.digested = planes;
     return pass;

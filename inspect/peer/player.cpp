@@ -85,6 +85,7 @@ struct Player::Context {
     void run(const BeginPass&) {}
     void run(const Read&) {}
     void run(const SwapBuffers&) { colors.exchange(); }
+    void run(const Query&) {}
     void run(const Clear& c) {
         show_drawn();
         clear(c, accum_divisor(profile));

@@ -89,6 +89,7 @@ void follow(const CommandList& list, ListContext& context) {
     for (const Command& command : list.commands) {
         if (const auto* begin = std::get_if<BeginPass>(&command)) context.pass = begin->name;
         if (const auto* set = std::get_if<SetState>(&command)) context.state = set->state;
+        if (const auto* query = std::get_if<Query>(&command)) gw::follow(*query, context);
         if (const auto* copy = std::get_if<CopyTexture>(&command))
             context.slots[copy->slot] = copy->plane;
     }

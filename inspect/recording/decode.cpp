@@ -37,7 +37,7 @@ Profile from_file(const gwt::Profile& p) {
                            p.draw_pixels(),       p.blend_separate(),         p.blend_square(),
                            p.texture_sizes(),     p.texture_wraps(),          p.texture_lod(),
                            p.texture_combine(),   p.texture_srgb(),           p.secondary_color(),
-                           p.fog_coordinate()}};
+                           p.fog_coordinate(),    p.occlusion_query()}};
 }
 
 class Decoder {
@@ -119,6 +119,7 @@ private:
         return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
     }
     Command command(const gwt::DrawPixels& c);
+    Command command(const gwt::Query& c) { return Query{c.key(), c.begin()}; }
     Command command(const gwt::SwapBuffers&) { return SwapBuffers{}; }
     static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);

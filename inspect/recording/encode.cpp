@@ -122,6 +122,10 @@ private:
             .Union();
     }
     Offset<void> command(const DrawPixels& c);
+    Offset<void> command(const Query& c) {
+        uses_version_2_ = true;
+        return gwt::CreateQuery(out_, c.key, c.begin).Union();
+    }
     Offset<void> command(const SwapBuffers&) { return gwt::CreateSwapBuffers(out_).Union(); }
     Offset<gwt::CommandList> list(const CommandList& list, const CallTable* calls);
     Offset<gwt::Profile> profile(const Profile& p);
@@ -279,7 +283,8 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.texture_border, e.texture_formats, e.stipple, e.two_sided_polygon_mode, e.logic_op,
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
-        e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate);
+        e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
+        e.occlusion_query);
 }
 
 bool needs_version_2(const Profile& p) {

@@ -26,6 +26,7 @@ bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const au
         case gwt::CommandType::Read: return as(static_cast<gwt::Read*>(nullptr));
         case gwt::CommandType::DrawPixels: return as(static_cast<gwt::DrawPixels*>(nullptr));
         case gwt::CommandType::SwapBuffers: return as(static_cast<gwt::SwapBuffers*>(nullptr));
+        case gwt::CommandType::Query: return as(static_cast<gwt::Query*>(nullptr));
         case gwt::CommandType::NONE: break;
     }
     return false;

@@ -111,7 +111,7 @@ void clear_and_trim(std::vector<T>& all) {
 
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
     if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command) ||
-        std::holds_alternative<SwapBuffers>(command))
+        std::holds_alternative<SwapBuffers>(command) || std::holds_alternative<Query>(command))
         return true;
     if (const auto* draw = std::get_if<DrawPixels>(&command)) return draw->source.has_value();
     return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
@@ -254,7 +254,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
         if (const SetState* set = std::get_if<SetState>(&command)) {
             current = &*set->state;
         } else if (const BeginPass* begin = std::get_if<BeginPass>(&command)) {
-            passes.push_back({begin->name, {}, begin->digests, {}});
+            passes.push_back({begin->name, {}, begin->digests, {}, {}});
         } else {
             if (profile.color_planes == 2 && !fits_color_plane(command, *current)) break;
             use_state(*current);

@@ -144,6 +144,7 @@ std::string text(const Read& c) {
                        c.packed ? " packed" : "");
 }
 
+std::string text(const Query& c) { return fmt::format("Query {} begin {}", c.key, c.begin); }
 std::string text(const SwapBuffers&) { return "SwapBuffers"; }
 
 }  // namespace

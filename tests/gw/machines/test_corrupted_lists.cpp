@@ -98,6 +98,7 @@ void spoil_command(Random& r, DrawPixels& c) {
               c.zoom_y);
 }
 void spoil_command(Random&, SwapBuffers&) {}
+void spoil_command(Random& r, Query& c) { spoil_one(r, c.key, c.begin); }
 void spoil_command(Random& r, Read& c) { spoil_one(r, c.plane, c.rect, c.packed); }
 
 /// Changes one field of one command: a mask, an enumeration, a number or a size. Most results are

@@ -131,5 +131,63 @@ TEST(ManualCounters, PassesAreCountedApart) {
     EXPECT_EQ(passes[2].counters, Counters{});
 }
 
+// [R14.11]
+TEST(ManualCounters, QueriesCountWhatIsWritten) {
+    test::Workbench bench(opengl(), 32, 32);
+    bench.state.depth.test = true;
+    bench.clear();
+    const auto square = [](float z) {
+        return Draw{.mesh = make_mesh(test::mesh_data(
+                        Primitive::Quads, {{0, 0, z}, {16, 0, z}, {16, 16, z}, {0, 16, z}}))};
+    };
+    bench.run(BeginPass{"a"});
+    bench.draw(square(100));
+    bench.run(Query{7});
+    bench.draw(square(100));
+    bench.run(BeginPass{"b"});
+    bench.state.color_mask = {false, false, false, false};
+    bench.draw(square(50));
+    bench.run(Query{7, false});
+    bench.draw(square(10));
+    bench.compare();
+    const std::vector<PassReport>& passes = bench.machine().passes();
+    EXPECT_TRUE(passes[1].queries.empty());
+    EXPECT_EQ(passes[2].queries, (std::vector<QueryResult>{{7, 256}}));
+    EXPECT_EQ(query_result(passes, 7), 256u);
+    EXPECT_EQ(query_result(passes, 8), std::nullopt);
+}
+
+// [R14.11]
+TEST(ManualCounters, AQueryOutlivesForgottenPasses) {
+    test::Workbench bench(opengl(), 8, 8);
+    bench.write({0, 0, 3, 1}, {});
+    bench.run(Query{1});
+    bench.write({0, 0, 4, 1}, {});
+    bench.take_counters();
+    bench.write({0, 0, 5, 1}, {});
+    bench.take_counters();
+    bench.run(Query{1, false});
+    bench.compare();
+    EXPECT_EQ(query_result(bench.machine().passes(), 1), 9u);
+}
+
+// [R1.4] [R5.7]
+TEST(ManualCounters, QueriesAreAnExtensionAndDoNotNest) {
+    const auto refused = [](const Profile& profile, Query first, Query second) {
+        test::Workbench bench(profile, 4, 4);
+        return test::error_of([&] {
+            bench.run(first);
+            bench.run(second);
+        });
+    };
+    EXPECT_EQ(refused(ideal(), {1}, {1, false}),
+              "command 1 (Query): extension occlusion_query is not in profile ideal");
+    EXPECT_EQ(refused(opengl(), {1}, {2}),
+              "command 1 (Query): query 1 is active; expected its end before");
+    EXPECT_EQ(refused(opengl(), {1}, {2, false}),
+              "command 1 (Query): query 2 is not active; expected its begin before");
+    EXPECT_EQ(refused(opengl(), {1}, {1, false}), "");
+}
+
 }  // namespace
 }  // namespace gw

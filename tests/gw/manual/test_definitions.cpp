@@ -66,7 +66,8 @@ TEST(ManualCommands, EveryCommandIsInTheTable) {
     const std::string text = page("commands.md");
     const std::vector<Command> all{BeginPass{},   Clear{},       SetState{},   Draw{},
                                    WriteSpans{},  WritePixels{}, Accumulate{}, Copy{},
-                                   CopyTexture{}, Read{},        DrawPixels{}, SwapBuffers{}};
+                                   CopyTexture{}, Read{},        DrawPixels{}, SwapBuffers{},
+                                   Query{}};
     ASSERT_EQ(all.size(), std::variant_size_v<Command>);
     for (const Command& command : all) {
         const std::string name = name_of(command);

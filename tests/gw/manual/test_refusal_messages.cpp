@@ -200,6 +200,8 @@ std::vector<std::string> refused_pixel_commands() {
         refusal({BeginPass{"", 16}}),
         refusal({BeginPass{"", 32}}, opengl()),
         refusal({SwapBuffers{}}),
+        refusal({Query{3, false}}, opengl()),
+        refusal({Query{3}, Query{4}}, opengl()),
         refusal({Clear{16}}),
         refusal({Read{0, Plane(4), {0, 0, 1, 1}}}),
         refusal({Accumulate{AccumOp(5), 1}}),
