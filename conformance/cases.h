@@ -12,6 +12,7 @@ Case antialiasing_case(Random& random);
 Case blend_case(Random& random);
 Case buffers_case(Random& random);
 Case clip_case(Random& random);
+Case clip_control_case(Random& random);
 Case coincident_case(Random& random);
 Case depth_case(Random& random);
 Case everything_case(Random& random);

@@ -122,6 +122,8 @@ const std::vector<Group>& all_groups() {
          fog_coordinate_case, 24, color, {&C::clipped, &C::written}},
         {"occlusion-query", "fragments counted between two commands, over passes", "R14.11",
          occlusion_query_case, 8, depth, {&C::depth_killed, &C::written}},
+        {"clip-control", "the window's origin above, depths from 0 to 1", "R6.31 R6.32",
+         clip_control_case, 16, color | depth, {&C::rejected, &C::clipped, &C::culled, &C::written}},
     };
     return all;
 }

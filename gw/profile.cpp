@@ -63,7 +63,8 @@ Profile opengl() {
                     .texture_srgb = true,
                     .secondary_color = true,
                     .fog_coordinate = true,
-                    .occlusion_query = true};
+                    .occlusion_query = true,
+                    .clip_control = true};
     return p;
 }
 
@@ -92,6 +93,7 @@ std::span<const ExtensionName> extension_names() {
         {"secondary_color", &Extensions::secondary_color},
         {"fog_coordinate", &Extensions::fog_coordinate},
         {"occlusion_query", &Extensions::occlusion_query},
+        {"clip_control", &Extensions::clip_control},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

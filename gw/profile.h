@@ -38,6 +38,7 @@ struct Extensions {
     bool secondary_color = false;         ///< a second colour, added after texture
     bool fog_coordinate = false;          ///< FogSource::Coordinate
     bool occlusion_query = false;         ///< Query
+    bool clip_control = false;            ///< ClipControlState
     bool operator==(const Extensions&) const = default;
 };
 

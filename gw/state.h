@@ -56,6 +56,16 @@ struct DepthRangeState {
     bool operator==(const DepthRangeState&) const = default;
 };
 
+/// Extension clip_control: the row of the window where y = -1 is, and the range of z / w in the
+/// view volume.
+enum class ClipOrigin : std::uint8_t { LowerLeft, UpperLeft };
+enum class ClipDepth : std::uint8_t { NegativeOneToOne, ZeroToOne };
+struct ClipControlState {
+    ClipOrigin origin = ClipOrigin::LowerLeft;
+    ClipDepth depth = ClipDepth::NegativeOneToOne;
+    bool operator==(const ClipControlState&) const = default;
+};
+
 /// A user clip plane in eye space: points with dot(plane, p_eye) >= 0 are kept.
 struct ClipPlane {
     bool enable = false;
@@ -300,6 +310,7 @@ struct State {
     bool normalize = true;  ///< normals have length 1 after the transform; GL's initial value: off
     ViewportState viewport;
     DepthRangeState depth_range;
+    ClipControlState clip_control;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
     PolygonMode polygon_mode = PolygonMode::Fill;

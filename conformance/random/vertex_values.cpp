@@ -125,6 +125,32 @@ Case fog_coordinate_case(Random& r) {
     return s.out;
 }
 
+// Both origins and both ranges of depth, under every viewport, clip plane and culling.
+Case clip_control_case(Random& r) {
+    Script s = script(r, any_opengl_profile(r, &Extensions::clip_control));
+    const int draws = r.between(2, 7);
+    for (int i = 0; i < draws; ++i) {
+        s.state.clip_control = {r.any<ClipOrigin>(), r.any<ClipDepth>()};
+        s.state.viewport =
+            r.chance(40) ? any_viewport(r, s.out.width, s.out.height) : ViewportState{};
+        s.state.depth_range = any_depth_range(r);
+        s.state.depth = any_depth(r);
+        s.state.cull = r.chance(60) ? any_cull(r) : CullState{};
+        s.state.polygon_mode = r.chance(75) ? PolygonMode::Fill : r.any<PolygonMode>();
+        s.state.two_side_polygon_mode = r.chance(25);
+        s.state.back_polygon_mode = r.any<PolygonMode>();
+        s.state.polygon_offset = any_polygon_offset(r, s.out.profile);
+        for (ClipPlane& plane : s.state.clip_planes) plane.enable = false;
+        if (r.chance(25)) any_clip_planes(r, s.frame, s.state);
+        const bool lit = r.chance(30);
+        s.state.color_source = lit ? ColorSource::Lighting : ColorSource::Vertex;
+        s.state.lighting.two_side = true;
+        draw(s, any_mesh(r, s.frame, {.normals = true, .most = 6}));
+        between_draws(s);
+    }
+    return s.out;
+}
+
 // Queries that begin and end anywhere.
 Case occlusion_query_case(Random& r) {
     Script s = script(r, any_opengl_profile(r, &Extensions::occlusion_query));

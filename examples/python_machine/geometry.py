@@ -6,7 +6,7 @@ from . import antialiasing, fog, lighting, texture_coordinates
 from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .primitives import identifier, primitives
-from .state import ColorSource, Face, PolygonMode, ShadeModel, Winding, viewport_of
+from .state import ClipDepth, ClipOrigin, ColorSource, Face, PolygonMode, ShadeModel, Winding, viewport_of
 
 # ---- Vertices -------------------------------------------------------------------------------
 
@@ -104,11 +104,11 @@ class VertexStage:
 class Clipper:
     """[R6.15] to [R6.19]"""
 
-    def __init__(self, viewport):
-        hx, hy = viewport.width / 2, viewport.height / 2
-        cx, cy = viewport.x + hx, viewport.y + hy
+    def __init__(self, viewport, control):
+        hx, hy, cx, cy = window_map(viewport, control)
+        zero_to_one = control.depth == ClipDepth.ZeroToOne  # [R6.32]
         self.distances = [
-            lambda v: v.clip[2] + v.clip[3],
+            lambda v: v.clip[2] if zero_to_one else v.clip[2] + v.clip[3],
             lambda v: v.clip[3] - v.clip[2],
             *(lambda v, k=k: v.distances[k] for k in range(6)),
             lambda v: hx * v.clip[0] + (cx + 6144) * v.clip[3],
@@ -189,15 +189,24 @@ class Corner:
         return self.vertex.clip[3]
 
 
-def window_corner(vertex, state, viewport, profile):
-    """[R6.20], [R6.21]"""
-    x, y, z, w = vertex.clip
+def window_map(viewport, control):
+    """[R6.16], [R6.31] hx, hy, cx, cy"""
     hx, hy = viewport.width / 2, viewport.height / 2
-    cx, cy = viewport.x + hx, viewport.y + hy
+    sign = -1 if control.origin == ClipOrigin.UpperLeft else 1
+    return hx, sign * hy, viewport.x + hx, viewport.y + hy
+
+
+def window_corner(vertex, state, viewport, profile):
+    """[R6.20], [R6.21], [R6.32]"""
+    x, y, z, w = vertex.clip
+    hx, hy, cx, cy = window_map(viewport, state.clip_control)
     n, f = clamp01(state.depth_range.near_value), clamp01(state.depth_range.far_value)
     x_w = divide(x, w) * hx + cx
     y_w = divide(y, w) * hy + cy
-    z_w = divide(z, w) * ((f - n) / 2) + (f + n) / 2
+    if state.clip_control.depth == ClipDepth.ZeroToOne:
+        z_w = divide(z, w) * (f - n) + n
+    else:
+        z_w = divide(z, w) * ((f - n) / 2) + (f + n) / 2
     s = profile.subpixel_bits
     X, Y = (to_integer(floor(v * 2**s + 0.5), -6144 * 2**s, 10240 * 2**s - 1) for v in (x_w, y_w))
     return Corner(X, Y, quantize(z_w, profile.depth_bits), vertex)
@@ -252,7 +261,7 @@ class PrimitiveStage:
         self.state, self.profile = machine.state, machine.profile
         self.counters, self.draw = machine.counters, draw
         self.viewport = viewport_of(machine.state, machine.width, machine.height)
-        self.clipper = Clipper(self.viewport)
+        self.clipper = Clipper(self.viewport, machine.state.clip_control)
         self.vertices = VertexStage(machine.state, machine.profile, draw)
         self.cache = [self.vertices.vertex(i) for i in range(len(draw.mesh.positions))]
         self.steps = 0  # of the strip or outline in progress
@@ -307,7 +316,8 @@ class PrimitiveStage:
         if area == 0:
             self.counters["degenerate"] += 1
             return
-        winding = Winding.CCW if area > 0 else Winding.CW
+        turned = self.state.clip_control.origin == ClipOrigin.UpperLeft  # [R6.31]
+        winding = Winding.CCW if (area > 0) != turned else Winding.CW
         front = winding == self.state.cull.front
         cull = self.state.cull
         if cull.enable and cull.face in (Face.FrontAndBack, Face.Front if front else Face.Back):

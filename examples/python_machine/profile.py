@@ -41,3 +41,4 @@ class Profile:
     secondary_color: bool = False
     fog_coordinate: bool = False
     occlusion_query: bool = False
+    clip_control: bool = False

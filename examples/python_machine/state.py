@@ -27,6 +27,7 @@ StencilOp = enumeration("StencilOp")
 BlendFactor = enumeration("BlendFactor")
 BlendEquation = enumeration("BlendEquation")
 LogicOp = enumeration("LogicOp")
+ClipOrigin, ClipDepth = enumeration("ClipOrigin"), enumeration("ClipDepth")
 Face = enumeration("Face")
 Winding = enumeration("Winding")
 PolygonMode = enumeration("PolygonMode")
@@ -73,6 +74,12 @@ class Viewport:
 class DepthRange:
     near_value: float = 0.0
     far_value: float = 1.0
+
+
+@dataclass
+class ClipControl:
+    origin: int = ClipOrigin.LowerLeft
+    depth: int = ClipDepth.NegativeOneToOne
 
 
 @dataclass
@@ -307,6 +314,7 @@ class State:
     separate_specular: bool = False
     color_sum: bool = False
     fog_source: int = FogSource.Depth
+    clip_control: ClipControl = field(default_factory=ClipControl)
 
 
 # ---- Resolved state -------------------------------------------------------------------------

@@ -91,6 +91,16 @@ inline constexpr OpenglWord<LogicOp> opengl_words<LogicOp>[] = {
     {LogicOp::Set, 0x150F},           // GL_SET
 };
 template <>
+inline constexpr OpenglWord<ClipOrigin> opengl_words<ClipOrigin>[] = {
+    {ClipOrigin::LowerLeft, 0x8CA1},                             // GL_LOWER_LEFT
+    {ClipOrigin::UpperLeft, 0x8CA2, &Extensions::clip_control},  // GL_UPPER_LEFT
+};
+template <>
+inline constexpr OpenglWord<ClipDepth> opengl_words<ClipDepth>[] = {
+    {ClipDepth::NegativeOneToOne, 0x935E},                      // GL_NEGATIVE_ONE_TO_ONE
+    {ClipDepth::ZeroToOne, 0x935F, &Extensions::clip_control},  // GL_ZERO_TO_ONE
+};
+template <>
 inline constexpr OpenglWord<Face> opengl_words<Face>[] = {
     {Face::Front, 0x0404},         // GL_FRONT
     {Face::Back, 0x0405},          // GL_BACK

@@ -27,6 +27,10 @@ inline constexpr auto sentence_of<DrawBuffer> = "The colour planes that fragment
 template <>
 inline constexpr auto sentence_of<ReadBuffer> = "The colour plane that copies and read-backs read.";
 template <>
+inline constexpr auto sentence_of<ClipOrigin> = "The corner of the window where y is -1.";
+template <>
+inline constexpr auto sentence_of<ClipDepth> = "The range of z / w in the view volume.";
+template <>
 inline constexpr auto sentence_of<Face> = "Sides of polygons.";
 template <>
 inline constexpr auto sentence_of<Winding> = "The order of a front face's corners in the window.";
@@ -82,6 +86,15 @@ template <>
 inline constexpr auto fields_of<DepthRangeState> =
     std::tuple(field("near_value", &DepthRangeState::near_value, "R6.20", "0 .. 1."),
                field("far_value", &DepthRangeState::far_value, "R6.20", "0 .. 1."));
+
+template <>
+inline constexpr auto sentence_of<ClipControlState> = "Extension clip_control.";
+template <>
+inline constexpr auto fields_of<ClipControlState> =
+    std::tuple(field("origin", &ClipControlState::origin, "R6.31", "Where y is -1.",
+                     restricted("extension: UpperLeft")),
+               field("depth", &ClipControlState::depth, "R6.32", "The range of z / w.",
+                     restricted("extension: ZeroToOne")));
 
 template <>
 inline constexpr auto sentence_of<ClipPlane> = "Points with dot(plane, p_eye) >= 0 are kept.";
@@ -325,6 +338,7 @@ inline constexpr auto fields_of<State> = std::tuple(
     field("normalize", &State::normalize, "R6.28", "Normals have length 1 after the transform."),
     field("viewport", &State::viewport, "", "In pixels."),
     field("depth_range", &State::depth_range, "", "glDepthRange."),
+    field("clip_control", &State::clip_control, "", "Extension clip_control."),
     field("clip_planes", &State::clip_planes, "", "Six planes in eye space."),
     field("cull", &State::cull, "", "Culling."),
     field("polygon_mode", &State::polygon_mode, "R6.7", "Of front faces, or of all."),

@@ -13,7 +13,7 @@ namespace gw {
 double clip_distance(const ClipPosition& v, int i, const ViewportTransform& vp) {
     const dvec4& c = v.clip;
     switch (i) {
-        case 0: return c.z + c.w;
+        case 0: return vp.zero_to_one ? c.z : c.z + c.w;
         case 1: return c.w - c.z;
         case 8: return vp.half_width * c.x + (vp.center_x - guard_low) * c.w;
         case 9: return (guard_high - vp.center_x) * c.w - vp.half_width * c.x;

@@ -41,8 +41,10 @@ float two_to_the(float v) {
     return v == 0 ? 1.0f : static_cast<float>(exp(bounded(double(v), 126) * ln2));
 }
 
-ViewportTransform viewport_transform(const Rect& v) {
-    return {v.width / 2.0, v.height / 2.0, v.x + v.width / 2.0, v.y + v.height / 2.0};
+ViewportTransform viewport_transform(const Rect& v, const ClipControlState& control) {
+    const double half_height = v.height / 2.0;
+    return {v.width / 2.0, control.origin == ClipOrigin::UpperLeft ? -half_height : half_height,
+            v.x + v.width / 2.0, v.y + half_height, control.depth == ClipDepth::ZeroToOne};
 }
 
 }  // namespace
@@ -59,7 +61,9 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
         v.width == 0 && v.height == 0 ? window : Rect{v.x, v.y, v.width, v.height};
     r.pixel_box = state.scissor.test ? intersect(window, state.scissor.box) : window;
     r.draw_box = intersect(viewport, r.pixel_box);
-    r.viewport = viewport_transform(viewport);
+    r.viewport = viewport_transform(viewport, state.clip_control);
+    if (state.clip_control.origin == ClipOrigin::UpperLeft)
+        r.state.cull.front = state.cull.front == Winding::CW ? Winding::CCW : Winding::CW;
 
     r.depth_mask = state.depth.mask;
     if (!state.depth.test) r.state.depth = {.func = DepthFunc::Always, .mask = false};

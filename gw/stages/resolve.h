@@ -11,11 +11,16 @@ namespace gw {
 
 /// The map from clip coordinates to the window, with the viewport's default resolved.
 struct ViewportTransform {
-    double half_width = 1, half_height = 1, center_x = 0, center_y = 0;
+    double half_width = 1;
+    double half_height = 1;  ///< negative under ClipOrigin::UpperLeft
+    double center_x = 0, center_y = 0;
+    bool zero_to_one = false;  ///< ClipDepth::ZeroToOne
 };
 
 struct Resolved {
-    State state;     ///< tests normalised; blending off under logic_op; no mask without draw buffer
+    /// tests normalised; blending off under logic_op; no mask without draw buffer; cull.front is the
+    /// winding in the window
+    State state;
     int bits = 8;    ///< of a colour channel
     Rect pixel_box;  ///< scissor and window: pixels outside never change
     Rect draw_box;   ///< pixel_box and viewport: primitives make no fragments outside

@@ -24,11 +24,21 @@ inline std::int64_t snap(double v, int subpixel_bits) {
     return to_integer(std::floor(v * scale + 0.5), guard_low * scale, guard_high * scale - 1);
 }
 
+/// z / w in the window: times scale, plus center.
+struct DepthMap {
+    double scale, center;
+};
+inline DepthMap depth_map(const ViewportTransform& viewport, const DepthRangeState& range) {
+    const double n = clamp01(range.near_value), f = clamp01(range.far_value);
+    if (viewport.zero_to_one) return {f - n, n};
+    return {(f - n) / 2, (f + n) / 2};
+}
+
 inline WindowVertex to_window(const ClipPosition& v, const ViewportTransform& viewport,
                               const DepthRangeState& range, const Profile& profile) {
     const double w = v.clip.w;
-    const double n = clamp01(range.near_value), f = clamp01(range.far_value);
-    const double z = (v.clip.z / w) * ((f - n) / 2) + (f + n) / 2;
+    const DepthMap map = depth_map(viewport, range);
+    const double z = (v.clip.z / w) * map.scale + map.center;
     return {snap((v.clip.x / w) * viewport.half_width + viewport.center_x, profile.subpixel_bits),
             snap((v.clip.y / w) * viewport.half_height + viewport.center_y, profile.subpixel_bits),
             quantize(z, profile.depth_bits), w};

@@ -56,6 +56,8 @@ void check_extensions(const Checker& c, const State& s) {
     c.extension(s.logic_op.enable, e.logic_op, "logic_op");
     c.extension(s.color_sum || s.lighting.separate_specular, e.secondary_color, "secondary_color");
     check_word(c, s.fog.source);
+    check_word(c, s.clip_control.origin);
+    check_word(c, s.clip_control.depth);
     check_words(c, s.blend);
 }
 

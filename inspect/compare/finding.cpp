@@ -68,6 +68,18 @@ std::string stage_of(Plane plane) {
     return "";
 }
 
+namespace {
+
+/// "7: 256, 8: 0"
+std::string text(const std::vector<QueryResult>& queries) {
+    std::string out;
+    for (const QueryResult& q : queries)
+        out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", q.key, q.samples);
+    return out.empty() ? "none" : out;
+}
+
+}  // namespace
+
 std::optional<Finding> first_difference(const PassReport& expected, const PassReport& actual,
                                         std::size_t pass) {
     Finding f{.pass = pass, .pass_name = expected.name};
@@ -93,6 +105,12 @@ std::optional<Finding> first_difference(const PassReport& expected, const PassRe
             f.stage = stage_of(expected.counters, actual.counters);
             return f;
         }
+    if (expected.queries != actual.queries) {
+        f.what = "queries";
+        f.expected = text(expected.queries);
+        f.actual = text(actual.queries);
+        return f;
+    }
     return {};
 }
 

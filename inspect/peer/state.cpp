@@ -30,6 +30,13 @@ void apply(const std::array<ClipPlane, max_clip_planes>& planes) {
     }
 }
 
+void apply(const ClipControlState& control) {
+    if (gl().ClipControl)
+        gl().ClipControl(token(control.origin), token(control.depth));
+    else if (control != ClipControlState{})
+        refuse("GL_ARB_clip_control", "clip_control");
+}
+
 void apply(const CullState& cull) {
     enable(GL_CULL_FACE, cull.enable);
     gl().CullFace(token(cull.face));
@@ -139,6 +146,7 @@ void apply_fragments(const State& s) {
 
 void apply(const State& state, int width, int height) {
     apply(state.viewport, state.depth_range, width, height);
+    apply(state.clip_control);
     apply(state.clip_planes);
     apply(state.cull);
     apply_primitives(state);

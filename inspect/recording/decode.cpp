@@ -37,7 +37,7 @@ Profile from_file(const gwt::Profile& p) {
                            p.draw_pixels(),       p.blend_separate(),         p.blend_square(),
                            p.texture_sizes(),     p.texture_wraps(),          p.texture_lod(),
                            p.texture_combine(),   p.texture_srgb(),           p.secondary_color(),
-                           p.fog_coordinate(),    p.occlusion_query()}};
+                           p.fog_coordinate(),    p.occlusion_query(),        p.clip_control()}};
 }
 
 class Decoder {

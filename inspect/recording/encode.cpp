@@ -284,7 +284,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
         e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
-        e.occlusion_query);
+        e.occlusion_query, e.clip_control);
 }
 
 bool needs_version_2(const Profile& p) {

@@ -36,7 +36,8 @@ std::uint64_t hash_of(const GeometryState& s) {
     add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
                  s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.back_polygon_mode,
                  s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_margin,
-                 s.line_margin, s.fill_margin, s.line_smooth);
+                 s.line_margin, s.fill_margin, s.line_smooth, s.clip_control.origin,
+                 s.clip_control.depth);
     hash.add(s.depth_range.near_value).add(s.depth_range.far_value);
     for (const ClipPlane& plane : s.clip_planes)
         if (plane.enable) hash.add_all(&plane.plane.x, 4);
@@ -152,7 +153,7 @@ void Scan::use_state(const State& state) {
     if (state_) return;
     Resolved resolved = resolve(state, *profile_, width_, height_);
     const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
-    const GeometryState geometry = geometry_state(state);
+    const GeometryState geometry = geometry_state(resolved.state);
     const std::uint64_t geometry_hash = hash_of(geometry);
     state_ = &states_.emplace_back(ScannedState{&state, std::move(resolved), bytes,
                                                 share(geometry, geometry_hash), geometry_hash});

@@ -33,6 +33,7 @@ struct GeometryState {
     dmat4 projection{1};
     ViewportState viewport;
     DepthRangeState depth_range;
+    ClipControlState clip_control;
     std::array<ClipPlane, max_clip_planes> clip_planes{};
     CullState cull;
     PolygonMode polygon_mode = PolygonMode::Fill, back_polygon_mode = PolygonMode::Fill;
@@ -44,6 +45,7 @@ struct GeometryState {
     bool line_smooth = false;  ///< stipples advance by length
     bool operator==(const GeometryState&) const = default;
 };
+/// Of a resolved state.
 GeometryState geometry_state(const State& state);
 
 /// Tiles [x0, x1) x [y0, y1).

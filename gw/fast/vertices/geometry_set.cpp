@@ -19,6 +19,7 @@ GeometryState geometry_state(const State& s) {
     return {.projection = s.projection,
             .viewport = s.viewport,
             .depth_range = s.depth_range,
+            .clip_control = s.clip_control,
             .clip_planes = s.clip_planes,
             .cull = s.cull,
             .polygon_mode = s.polygon_mode,

@@ -85,7 +85,7 @@ struct OutcodeLanes {
 /// clip_distance() of gw/stages/clip.h: near, far, guard band.
 inline void classify_fixed(const ClipLanes& c, const ViewportTransform& v, OutcodeLanes& out) {
     const auto times = [](double a, V64 b) { return hn::Mul(all(a), b); };
-    out.plane(0, hn::Add(c.z, c.w));
+    out.plane(0, v.zero_to_one ? c.z : hn::Add(c.z, c.w));
     out.plane(1, hn::Sub(c.w, c.z));
     out.plane(8, hn::Add(times(v.half_width, c.x), times(v.center_x - guard_low, c.w)));
     out.plane(9, hn::Sub(times(guard_high - v.center_x, c.w), times(v.half_width, c.x)));
@@ -138,14 +138,15 @@ HWY_INLINE void put_vertices(V64 x, V64 y, V64 z, SnappedVertex* at, std::size_t
 /// Window coordinates of up to a vector of vertices.
 HWY_INLINE void put_window(const Projection& p, const ClipLanes& c, SnappedVertex* at,
                            std::size_t count) {
-    const double n = clamp01(p.depth_range.near_value), f = clamp01(p.depth_range.far_value);
+    const DepthMap depth = depth_map(p.viewport, p.depth_range);
     const auto window = [&](V64 v, double half, double center) {
         return hn::Add(hn::Mul(hn::Div(v, c.w), all(half)), all(center));
     };
     const int bits = p.profile.subpixel_bits;
     put_vertices(snapped(window(c.x, p.viewport.half_width, p.viewport.center_x), bits),
                  snapped(window(c.y, p.viewport.half_height, p.viewport.center_y), bits),
-                 quantized(window(c.z, (f - n) / 2, (f + n) / 2), p.profile.depth_bits), at, count);
+                 quantized(window(c.z, depth.scale, depth.center), p.profile.depth_bits), at,
+                 count);
 }
 
 /// Component c of up to a vector of points. Lanes beyond the last point repeat the first.

@@ -67,6 +67,12 @@ std::optional<Difference> compare_pass(std::size_t i, const PassReport& a, const
                               {},
                               to_string(a.digests[std::size_t(plane)]),
                               to_string(b.digests[std::size_t(plane)])};
+    if (a.queries != b.queries)
+        return Difference{pass + ", queries",
+                          {},
+                          {},
+                          std::to_string(a.queries.size()),
+                          std::to_string(b.queries.size())};
     return Difference{
         pass + ", planes digested", {}, {}, std::to_string(a.digested), std::to_string(b.digested)};
 }

@@ -153,13 +153,13 @@ const Change changes[] = {
 
 /// Fails to compile when State gets a field, which must enter the manual's list or `changes`.
 [[maybe_unused]] void every_field_is_known(const State& state) {
-    [[maybe_unused]] const auto& [projection, normalize, viewport, depth_range, clip_planes, cull,
-                                  polygon_mode, two_side_polygon_mode, back_polygon_mode,
-                                  line_stipple, polygon_stipple, polygon_offset, jitter, point_size,
-                                  line_width, point_smooth, line_smooth, polygon_smooth,
-                                  shade_model, color_source, lighting, color_sum, fog, texture,
-                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask,
-                                  draw_buffer, read_buffer] = state;
+    [[maybe_unused]] const auto& [projection, normalize, viewport, depth_range, clip_control,
+                                  clip_planes, cull, polygon_mode, two_side_polygon_mode,
+                                  back_polygon_mode, line_stipple, polygon_stipple, polygon_offset,
+                                  jitter, point_size, line_width, point_smooth, line_smooth,
+                                  polygon_smooth, shade_model, color_source, lighting, color_sum,
+                                  fog, texture, scissor, alpha, stencil, depth, blend, logic_op,
+                                  color_mask, draw_buffer, read_buffer] = state;
 }
 
 struct Scene {

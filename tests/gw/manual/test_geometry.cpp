@@ -292,5 +292,69 @@ TEST(ManualGeometry, FacingIsOfTheSnappedPolygon) {
         }
 }
 
+// [R6.31] [R6.32]
+TEST(ManualGeometry, ClipControl) {
+    const ClipPosition v{{1, 2, 2.75, 4}};
+    const WindowVertex at = to_window(v, {32, -32, 32, 32, true}, {}, vgx());
+    EXPECT_EQ(at.x, 320);
+    EXPECT_EQ(at.y, 128);
+    EXPECT_EQ(at.z, 11534335u);
+    State state;
+    state.clip_control = {ClipOrigin::UpperLeft, ClipDepth::ZeroToOne};
+    const ViewportTransform viewport = resolve(state, opengl(), 64, 64).viewport;
+    EXPECT_EQ(viewport.half_height, -32);
+    EXPECT_EQ(viewport.center_y, 32);
+    EXPECT_EQ(clip_distance(v, 0, viewport), 2.75);
+    EXPECT_EQ(clip_distance(v, 10, viewport), -32 * 2 + (32 + 6144) * 4);
+}
+
+// [R6.31] The picture is upside down, but a front face stays one.
+TEST(ManualGeometry, TheOriginAboveKeepsFacing) {
+    test::Workbench bench(opengl(), 8, 8);
+    bench.state.clip_control.origin = ClipOrigin::UpperLeft;
+    bench.state.cull = {.enable = true, .face = Face::Back};
+    bench.draw(Primitive::Quads, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+    EXPECT_EQ(bench.color(0, 7)[0], 255);
+    EXPECT_EQ(bench.color(1, 6)[0], 255);
+    EXPECT_EQ(bench.color(0, 0)[0], 0);
+    bench.state.cull.face = Face::Front;
+    EXPECT_EQ((bench.take_counters(), 0), 0);
+    bench.draw(Primitive::Quads, {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}});
+    EXPECT_EQ(bench.take_counters().culled, 2u);
+}
+
+// [R6.32]
+TEST(ManualGeometry, DepthsFromZeroToOne) {
+    test::Workbench bench(opengl(), 8, 8);
+    bench.state.clip_control.depth = ClipDepth::ZeroToOne;
+    bench.state.projection[2].z = 1;
+    bench.state.projection[3].z = 0;
+    bench.state.depth = {.test = true, .func = DepthFunc::Always};
+    const auto square = [&](float z) {
+        bench.draw(Primitive::Quads, {{0, 0, z}, {4, 0, z}, {4, 4, z}, {0, 4, z}});
+    };
+    square(0.25f);
+    EXPECT_EQ(bench.depth(1, 1), 4194304u);  // rne(4194303.75)
+    bench.state.depth_range = {1, 0};
+    square(0.25f);
+    EXPECT_EQ(bench.depth(1, 1), 12582911u);  // 12582911.25
+    bench.take_counters();
+    square(-0.25f);
+    EXPECT_EQ(bench.take_counters().rejected, 2u);
+}
+
+// [R1.4]
+TEST(ManualGeometry, ClipControlIsAnExtension) {
+    for (const bool depth : {false, true}) {
+        test::Workbench bench(ideal(), 4, 4);
+        if (depth)
+            bench.state.clip_control.depth = ClipDepth::ZeroToOne;
+        else
+            bench.state.clip_control.origin = ClipOrigin::UpperLeft;
+        EXPECT_EQ(test::error_of([&] { bench.clear(); }),
+                  "command 0 (SetState): extension clip_control is not in profile ideal");
+    }
+}
+
 }  // namespace
 }  // namespace gw
