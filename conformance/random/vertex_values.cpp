@@ -70,6 +70,7 @@ Case secondary_color_case(Random& r) {
         state.color_sum = r.chance(75);
         state.lighting = any_lighting(r);
         state.lighting.separate_specular = r.chance(75);
+        state.lighting.two_side = r.chance(70);
         state.shade_model = r.chance(30) ? ShadeModel::Flat : ShadeModel::Smooth;
         state.cull = r.chance(30) ? any_cull(r) : CullState{};
         state.polygon_mode = r.chance(80) ? PolygonMode::Fill : r.any<PolygonMode>();
@@ -80,6 +81,7 @@ Case secondary_color_case(Random& r) {
             any_mesh(r, s.frame, {.normals = r.chance(95), .texcoords = r.chance(90), .most = 6});
         if (r.chance(75)) mesh = with_secondary_colors(r, *mesh);
         Draw d = any_draw(s, std::move(mesh), 40);
+        if (d.lights && r.chance(80)) d.material.Ks = any_secondary(r);
         CurrentValues current;
         current.color = any_color(r);
         current.secondary_color = any_secondary(r);

@@ -4,6 +4,8 @@
 #include "gw/names.h"
 #include "gw/validate/checker.h"
 
+#include <type_traits>
+
 namespace gw {
 namespace {
 
@@ -98,13 +100,14 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
         prefetch_checked(list.commands, checker.command);
         std::visit(
             [&](const auto& c) {
-                follow(c, context);
+                // Whether a query is active is checked before it begins or ends.
+                constexpr bool is_query = std::is_same_v<std::decay_t<decltype(c)>, Query>;
+                if constexpr (!is_query) follow(c, context);
                 checker.name = name_of(command);
                 checker.pass = context.pass;
                 check(checker, c);
                 check_in_context(checker, c, context);
-                if constexpr (std::is_same_v<std::decay_t<decltype(c)>, Query>)
-                    gw::follow(c, context);
+                if constexpr (is_query) follow(c, context);
             },
             command);
         checker.command += 1;
