@@ -6,6 +6,7 @@
 #include "scene/draw/nearest.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace gw::itembuffer {
 
@@ -14,10 +15,11 @@ multipass::Superposition superpose_ray_traced(Machine& machine, const scene::Sce
                                               const Options& options, bool weighted) {
     const scene::View seen = scene::view_for_rays(scene, view);
     scene::Scene now = scene;
-    std::optional<raytrace::World> world;
+    std::shared_ptr<const raytrace::World> world = options.world;
     const auto draw = [&](const multipass::Sample& sample) {
         multipass::move_to(now, scene, sample);
-        if (!world || multipass::moves(scene)) world.emplace(now, options.threads);
+        if (!world || multipass::moves(scene))
+            world = std::make_shared<raytrace::World>(now, options.threads);
         const scene::View through = multipass::view_at(seen, sample);
         const raytrace::Tracer tracer(now, *world, through,
                                       {.depth = options.depth, .threads = options.threads});

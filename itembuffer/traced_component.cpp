@@ -22,6 +22,7 @@ TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Sc
         if (!is_traced(ids[i])) return;
         const scene::PixelRay ray = rays.through(x + place.x, y + place.y);
         ++counts.primary;
+        ++counts.tests.triangles;
         const auto at = triangles.meet(ids[i], ray.o, ray.d);
         if (!at) return;
         const raytrace::Surface s = raytrace::surface(triangles, *at, normalized(ray.d), view);

@@ -15,7 +15,7 @@ namespace gw::itembuffer {
 struct TracedComponent {
     /// Through the first hit's black fog [K3.5]; alpha is 0.
     std::vector<Rgba> color;
-    raytrace::RayCounts counts;  ///< primary: rays cut with their one polygon
+    raytrace::RayCounts counts;  ///< primary: rays cut with their one polygon, one triangle each
 };
 
 /// `ids` and `jitter` are the item buffer's. Vertices are snapped before the machine fills a

@@ -33,6 +33,15 @@ multipass::Options map_options(const Drawing& drawing) {
     return options;
 }
 
+/// Keeps the hierarchies.
+std::function<void(const scene::View&)> rays_drawer(const Drawing& drawing, Machine& machine) {
+    DrawOptions options = draw_options(drawing);
+    options.rays.world = std::make_shared<raytrace::World>(drawing.scene, drawing.request.threads);
+    return [&drawing, &machine, options](const scene::View& view) {
+        drawing.renderer().draw(machine, drawing.scene, view, options);
+    };
+}
+
 }  // namespace
 
 scene::View Drawing::view() const {
@@ -129,6 +138,8 @@ void draw(const Drawing& drawing, const scene::View& view, Machine& machine) {
 std::function<void(const scene::View&)> view_drawer(const Drawing& drawing, Machine& machine) {
     const auto alone = [&](const scene::View& view) { draw(drawing, view, machine); };
     const auto owner = drawing.renderer().pass_owner;
+    if (drawing.renderer().drawn_by == scene::DrawnBy::Rays && !has_scene_maps(drawing))
+        return rays_drawer(drawing, machine);
     if (!owner || has_scene_maps(drawing)) return alone;
     const DrawOptions options = draw_options(drawing);
     multipass::Options passes = options.multipass;

@@ -40,6 +40,13 @@ struct HierarchyHit {
     bool operator==(const HierarchyHit&) const = default;
 };
 
+/// The work of searches [K4f]: the same for any vectors and number of threads.
+struct SearchCounts {
+    std::uint64_t boxes = 0;      ///< tested: eight a node, unused ones too
+    std::uint64_t triangles = 0;  ///< tested in float32
+    bool operator==(const SearchCounts&) const = default;
+};
+
 /// Decides about triangles that float32 cannot exclude: see Hierarchy::find.
 class TriangleTest {
 public:
@@ -47,6 +54,8 @@ public:
     /// Tests the triangle of this number, and remembers the nearest. Returns the t beyond which
     /// hits are ignored; negative: the search ends.
     virtual float test(std::uint32_t number) = 0;
+
+    SearchCounts counts;  ///< of all searches with this test
 };
 
 class Hierarchy {

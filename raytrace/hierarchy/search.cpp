@@ -326,10 +326,12 @@ void find(const WideTree& tree, const HierarchyRay& ray, float rounding, Triangl
     std::uint32_t child = 0;
     for (;;) {
         if (child & leaf_bit) {
+            test.counts.triangles += std::uint64_t(count_of_leaf(child));
             find_triangles(tree.packets[packet_of_leaf(child)], count_of_leaf(child), r, rounding,
                            test);
             if (r.high < r.low) return;
         } else {
+            test.counts.boxes += width_of_tree;
             const WideNode& node = tree.nodes[child];
             if (const unsigned met = meet_boxes(node, r, lanes, enter); met != 0) {
                 child = nearest_child(node, met, enter, stack);

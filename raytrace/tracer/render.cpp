@@ -36,11 +36,14 @@ dvec3 color_at(const Frame& f, const scene::TrianglePoint& at, int x, int y, con
     return seen_color(f.tracer, s, f.scene, f.profile, counts);
 }
 
-/// The identifier of the opaque polygon at the hit or behind it, as the item buffer has it.
+/// The identifier of the opaque polygon at the hit or behind it, as the item buffer has it. Finds it
+/// for comparisons, so it counts no rays.
 std::uint32_t opaque_id(const Frame& f, const scene::TrianglePoint& at, const Ray& ray) {
     const scene::WorldTriangles& triangles = f.tracer.world().triangles();
     if (!(f.tracer.opacity(at.triangle) < 1)) return triangles.id_of(at.triangle);
-    const auto behind = f.tracer.behind(surface(triangles, at, normalized(ray.direction), f.view));
+    RayCounts uncounted;
+    const auto behind =
+        f.tracer.behind(surface(triangles, at, normalized(ray.direction), f.view), uncounted);
     return behind ? opaque_id(f, behind->at, ray) : 0;
 }
 
@@ -48,7 +51,7 @@ void trace_pixel(const Frame& f, int x, int y, RaytracedPicture& picture, RayCou
     const std::size_t i = f.view.index(x, y);
     const Ray ray = ray_of(f, x, y);
     ++counts.primary;
-    const auto at = f.tracer.world().nearest(ray, 1);
+    const auto at = f.tracer.world().nearest(ray, 1, no_triangle, &counts.tests);
     const dvec3 color = at ? color_at(f, *at, x, y, ray, counts) : dvec3(f.scene.background);
     picture.ids[i] = at ? opaque_id(f, *at, ray) : 0;
     picture.color[i] = stored(color, f.profile.color_bits);
@@ -95,7 +98,7 @@ dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scen
     }
     const double d = tracer.opacity(surface.at.triangle);
     if (!(d < 1)) return color;
-    const auto behind = tracer.behind(surface);
+    const auto behind = tracer.behind(surface, counts);
     return d * color + (1 - d) * (behind ? seen_color(tracer, *behind, scene, profile, counts)
                                          : dvec3(scene.background));
 }

@@ -136,7 +136,7 @@ dvec3 Tracer::followed(const Surface& surface, const Path& path, RayCounts& coun
 dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far, const Path& path,
                        RayCounts& counts) const {
     const auto at = world_.nearest({from.start, direction}, std::numeric_limits<double>::infinity(),
-                                   from.at.triangle);
+                                   from.at.triangle, &counts.tests);
     if (options_.followed)
         options_.followed({.from = from.start,
                            .direction = direction,
@@ -154,10 +154,11 @@ dvec3 Tracer::arriving(const Surface& from, const dvec3& direction, FarMaps far,
     return d * color + (1 - d) * arriving(hit, direction, far, behind, counts);
 }
 
-std::optional<Surface> Tracer::behind(const Surface& translucent) const {
-    const auto at =
-        world_.nearest({translucent.start, translucent.direction},
-                       std::numeric_limits<double>::infinity(), translucent.at.triangle);
+std::optional<Surface> Tracer::behind(const Surface& translucent, RayCounts& counts) const {
+    ++counts.transmitted;
+    const auto at = world_.nearest({translucent.start, translucent.direction},
+                                   std::numeric_limits<double>::infinity(), translucent.at.triangle,
+                                   &counts.tests);
     if (!at) return std::nullopt;
     const Surface hit = surface(world_.triangles(), *at, translucent.direction, view_);
     if (-hit.point.p.z > view_.camera.far_plane) return std::nullopt;
@@ -204,9 +205,9 @@ bool Tracer::arrives(const LightSource& source, const Surface& s, bool by_rays,
     if (!(dot3(toward, s.plane_normal) > 0)) return false;
     if (!by_rays) return !options_.in_shadow(source.number, s.at);
     ++counts.shadow;
-    const bool arrives =
-        !world_.occluded({s.start, toward},
-                         directional ? std::numeric_limits<double>::infinity() : 1, s.at.triangle);
+    const bool arrives = !world_.occluded({s.start, toward},
+                                          directional ? std::numeric_limits<double>::infinity() : 1,
+                                          s.at.triangle, &counts.tests);
     if (options_.followed)
         options_.followed(
             {.from = s.start, .direction = toward, .light = source.number, .arrives = arrives});

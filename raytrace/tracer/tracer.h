@@ -15,13 +15,15 @@
 
 namespace gw::raytrace {
 
-/// Traced rays, counted by kind [K4f]. Sums are the same for any number of threads.
+/// Traced rays, counted by kind, and their work [K4f]. Sums are the same for any number of
+/// threads.
 struct RayCounts {
     std::uint64_t primary = 0;      ///< from the eye
     std::uint64_t reflected = 0;    ///< from any hit
     std::uint64_t transmitted = 0;  ///< from any hit
     std::uint64_t shadow = 0;       ///< towards lights
     std::uint64_t shaded = 0;       ///< points at which eq. 3 was evaluated
+    SearchCounts tests;             ///< of boxes and triangles, for all these rays
 
     void add(const RayCounts& c) {
         primary += c.primary;
@@ -29,6 +31,8 @@ struct RayCounts {
         transmitted += c.transmitted;
         shadow += c.shadow;
         shaded += c.shaded;
+        tests.boxes += c.tests.boxes;
+        tests.triangles += c.tests.triangles;
     }
     bool operator==(const RayCounts&) const = default;
 };
@@ -86,7 +90,7 @@ public:
     double opacity(std::uint32_t triangle) const { return double(look_of(triangle).drawn->d); }
     /// The surface that is seen through a translucent one, before the far plane; none: the
     /// background.
-    std::optional<Surface> behind(const Surface& translucent) const;
+    std::optional<Surface> behind(const Surface& translucent, RayCounts& counts) const;
     /// Whether texture coordinates matter there.
     bool looks_up_maps(std::uint32_t triangle) const;
 

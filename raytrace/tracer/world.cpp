@@ -132,6 +132,12 @@ HierarchyRay rounded(const Ray& ray, double high, double size, std::uint32_t fro
     return {vec3(ray.origin), float(low), vec3(ray.direction), float(std::min(high, 3e38)), from};
 }
 
+void add(const TriangleTest& test, SearchCounts* counts) {
+    if (!counts) return;
+    counts->boxes += test.counts.boxes;
+    counts->triangles += test.counts.triangles;
+}
+
 }  // namespace
 
 std::vector<HierarchyTriangle> hierarchy_triangles(const scene::WorldTriangles& triangles) {
@@ -152,23 +158,25 @@ World::World(const scene::Scene& scene, int threads) : triangles_(scene), size_(
         casting_ = Hierarchy(casting_triangles(scene, triangles_, all), threads);
 }
 
-std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high,
-                                                   std::uint32_t from) const {
+std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high, std::uint32_t from,
+                                                   SearchCounts* counts) const {
     NearestTest test(triangles_, ray, high, size_, from);
+    Met met;
     for (;;) {
         all_.find(rounded(ray, high, size_, from), test);
-        if (!test.found()) return std::nullopt;
-        const Met met = test.result();
-        if (met.triangle != no_triangle)
-            return scene::TrianglePoint{met.triangle, point_at(ray, met.t), met.normal};
+        if (!test.found() || (met = test.result()).triangle != no_triangle) break;
         test.pass();
     }
+    add(test, counts);
+    if (met.triangle == no_triangle) return std::nullopt;
+    return scene::TrianglePoint{met.triangle, point_at(ray, met.t), met.normal};
 }
 
-bool World::occluded(const Ray& ray, double high, std::uint32_t from) const {
+bool World::occluded(const Ray& ray, double high, std::uint32_t from, SearchCounts* counts) const {
     NearestTest test(triangles_, ray, high, size_, from);
     const Hierarchy& hierarchy = casting_ ? *casting_ : all_;
     hierarchy.find(rounded(ray, high, size_, from), test);
+    add(test, counts);
     return test.found();
 }
 

@@ -25,11 +25,13 @@ public:
 
     /// The nearest triangle that the ray meets at 0 < t < high. `from`: the triangle that it starts
     /// from (Surface::start), which it does not meet again. The point is on the triangle's plane,
-    /// in double.
+    /// in double. Adds the search's work to `counts` unless it is null.
     std::optional<scene::TrianglePoint> nearest(const Ray& ray, double high,
-                                                std::uint32_t from = no_triangle) const;
+                                                std::uint32_t from = no_triangle,
+                                                SearchCounts* counts = nullptr) const;
     /// Whether the ray meets a triangle that casts a shadow.
-    bool occluded(const Ray& ray, double high, std::uint32_t from) const;
+    bool occluded(const Ray& ray, double high, std::uint32_t from,
+                  SearchCounts* counts = nullptr) const;
 
     const Hierarchy& hierarchy() const { return all_; }
 
