@@ -15,12 +15,14 @@ using Json = nlohmann::ordered_json;
 
 Json prices_json(const PriceList& list) {
     Json prices = Json::array();
+    // A recording has no rays.
     for (const Price& price : list.prices)
-        prices.push_back({{"count", price.counter.name},
-                          {"stage", price.stage},
-                          {"nanoseconds", price.nanoseconds},
-                          {"estimate", price.estimate},
-                          {"source", price.source}});
+        if (price.count.counter)
+            prices.push_back({{"count", price.count.name},
+                              {"stage", price.stage},
+                              {"nanoseconds", price.nanoseconds},
+                              {"estimate", price.estimate},
+                              {"source", price.source}});
     return {{"machine", list.machine}, {"prices", prices}};
 }
 
