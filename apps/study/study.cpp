@@ -10,6 +10,7 @@
 #include "apps/study/growth.h"
 #include "apps/study/hemicube.h"
 #include "apps/study/hidden.h"
+#include "apps/study/passes/study_passes.h"
 #include "apps/study/precision.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace gw::apps {
 namespace {
@@ -26,7 +28,10 @@ namespace {
 struct StudyOptions {
     std::filesystem::path output;
     int threads = 0, samples = 256;
-    HiddenStudyOptions hidden;  ///< options of gw study hidden alone
+    std::optional<double> limit;   ///< seconds; absent: the study's own
+    std::filesystem::path prices;  ///< empty: the study's own
+    HiddenStudyOptions hidden;     ///< options of gw study hidden alone
+    PassStudyOptions passes;       ///< options of gw study passes alone, with SCENE
     bool quiet = false;
 };
 
@@ -151,6 +156,8 @@ int study_hidden_surfaces(const StudyOptions& options, Session& session) {
     check(options);
     HiddenStudyOptions hidden = options.hidden;
     hidden.output = options.output;
+    if (options.limit) hidden.limit = *options.limit;
+    if (!options.prices.empty()) hidden.prices = options.prices;
     if (options.threads > 0) hidden.threads = options.threads;
     hidden.quiet = options.quiet;
     hidden.command =
@@ -182,6 +189,19 @@ int study_hemicube(const StudyOptions& options, Session& session) {
     return Done;
 }
 
+int study_of_passes(const StudyOptions& options, Session& session) {
+    PassStudyOptions passes = options.passes;
+    if (passes.picture.scene.empty())
+        throw UsageError("study passes: no SCENE; expected a TOML scene or a Wavefront OBJ file");
+    check(options);
+    passes.output = options.output;
+    passes.prices = options.prices;
+    if (options.limit) passes.limit = *options.limit;
+    passes.picture.threads = options.threads > 0 ? options.threads : 1;
+    passes.picture.quiet = options.quiet;
+    return study_passes(passes, session);
+}
+
 struct Study {
     const char *name, *about;
     int (*run)(const StudyOptions&, Session&);
@@ -192,6 +212,7 @@ constexpr Study studies[] = {
     {"precision", "rounding of added passes, distance of renderers", study_precision},
     {"hidden", "growth and cost of the hidden-surface algorithms", study_hidden_surfaces},
     {"hemicube", "error of form factors against resolution", study_hemicube},
+    {"passes", "one SCENE by passes, item buffer and rays, counted and estimated", study_of_passes},
 };
 
 const Study& study_named(const std::string& word) {
@@ -214,7 +235,7 @@ void add_common_options(CLI::App& command, StudyOptions& options) {
         ->required()
         ->type_name("DIR");
     add_threads_option(command, options.threads,
-                       "Threads of the fast machine (default: all; hidden: 1)");
+                       "Threads of the fast machine (default: all; hidden, passes: 1)");
     command
         .add_option_function<std::string>(
             "--samples",
@@ -226,14 +247,15 @@ void add_common_options(CLI::App& command, StudyOptions& options) {
     command.add_flag("--quiet", options.quiet, "No progress");
 }
 
-void add_hidden_options(CLI::App& command, HiddenStudyOptions& options) {
+void add_own_options(CLI::App& command, StudyOptions& options) {
     command
         .add_option_function<std::string>(
             "--limit",
             [&options](const std::string& word) {
                 options.limit = number_from("--limit", word, 0.001, 3600);
             },
-            "hidden: stop an algorithm before a size that would take longer (default 0.5)")
+            "hidden: stop an algorithm before a size that would take longer (default 0.5); passes: "
+            "end a sweep before a row that would (default 60)")
         ->type_name("SECONDS");
     command
         .add_option_function<std::string>(
@@ -242,13 +264,15 @@ void add_hidden_options(CLI::App& command, HiddenStudyOptions& options) {
                 std::vector<std::string> axes;
                 for (const study::GrowthAxis& axis : study::growth_axes())
                     axes.push_back(axis.name);
-                options.axis = one_of("--axis", word, axes);
+                options.hidden.axis = one_of("--axis", word, axes);
             },
             "hidden: polygons, depth, resolution or frames only (default: all)")
         ->type_name("NAME");
     command
         .add_option("--prices", options.prices,
-                    "hidden: folder of recipes.toml and price lists (default scenes/hidden/prices)")
+                    "hidden: folder of recipes.toml and price lists (default "
+                    "scenes/hidden/prices); passes: folder of price lists (default: the VGX's and "
+                    "two of today)")
         ->type_name("DIR");
 }
 
@@ -265,11 +289,22 @@ Command add_study(CLI::App& app) {
             studies_help())
         ->required()
         ->type_name("NAME");
+    command
+        ->add_option("SCENE", options->passes.picture.scene, "passes: a TOML scene or an OBJ file")
+        ->type_name("FILE");
     add_common_options(*command, *options);
-    add_hidden_options(*command, options->hidden);
+    add_own_options(*command, *options);
+    add_pass_study_options(*command, options->passes);
     command->footer(
-        "Example:\n  build/release/bin/gw study convergence --samples 16 -o convergence");
-    return {command, [=](Session& session) { return (*study)->run(*options, session); }};
+        "Example:\n  build/release/bin/gw study passes scenes/rings.toml --size 160x120 --sweep "
+        "lights=1,2,4 -o passes");
+    return {command, [=](Session& session) {
+                if (!options->passes.picture.scene.empty() && (*study)->run != study_of_passes)
+                    throw UsageError(
+                        fmt::format("study {}: SCENE '{}'; expected none, its scenes are its own",
+                                    (*study)->name, options->passes.picture.scene.string()));
+                return (*study)->run(*options, session);
+            }};
 }
 
 }  // namespace gw::apps

@@ -33,13 +33,6 @@ struct Race {
 struct RayRaces {
     Race primary, reflected, shadow;
     Race build;  ///< of the hierarchies
-    Race all() const {
-        return {primary.ours + reflected.ours + shadow.ours,
-                primary.float32 + reflected.float32 + shadow.float32,
-                primary.embree + reflected.embree + shadow.embree,
-                primary.rays + reflected.rays + shadow.rays,
-                primary.differ + reflected.differ + shadow.differ};
-    }
 };
 RayRaces race(const RaySet& rays, const raytrace::World& world, int runs);
 
