@@ -42,6 +42,7 @@ PYBIND11_MODULE(_gw, module) {
     gw::python::add_rendering(module);
     gw::python::add_radiosity(module);
     gw::python::add_hidden_surfaces(module);
+    gw::python::add_pass_study(module);
     module.def("simd_target", &gw::simd_target,
                "The vector instruction set that the fast machine uses here.");
     module.def(

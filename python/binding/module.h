@@ -16,5 +16,6 @@ void add_passes(pybind11::module_& module);     ///< the papers' passes as value
 void add_rendering(pybind11::module_& module);  ///< renderers, item buffer, rays
 void add_radiosity(pybind11::module_& module);
 void add_hidden_surfaces(pybind11::module_& module);
+void add_pass_study(pybind11::module_& module);  ///< passes against rays [K4f]
 
 }  // namespace gw::python

@@ -105,6 +105,7 @@ public:
         try {
             cancelable(turn_, cancel_, [&] {
                 counts_ = {};
+                machine_.reset_passes();
                 drawing_.scene.camera = camera.value_or(camera_);
                 const scene::View view = drawing_.view();
                 if (!draw_view_) {
@@ -162,7 +163,13 @@ py::dict counts_dict(const raytrace::RayCounts& c) {
     out["reflected"] = c.reflected;
     out["transmitted"] = c.transmitted;
     out["shadow"] = c.shadow;
+    return out;
+}
+py::dict work_dict(const raytrace::RayCounts& c) {
+    py::dict out;
     out["shaded"] = c.shaded;
+    out["boxes"] = c.tests.boxes;
+    out["triangles"] = c.tests.triangles;
     return out;
 }
 
@@ -211,9 +218,13 @@ void add_renderer(py::module_& m) {
         .def(
             "rays", [](SceneRenderer& r) { return counts_dict(r.counts()); },
             "The rays of the last picture, by kind [K4f].")
-        .def("passes", &table_of,
-             "Machine.passes() with the paper's parameter set of each pass (\"set\") and its "
-             "estimated seconds on a VGX (\"vgx_seconds\"), as gw passes prints them.");
+        .def(
+            "ray_work", [](SceneRenderer& r) { return work_dict(r.counts()); },
+            "What these rays took: points that were shaded, boxes and triangles that were tested.")
+        .def(
+            "passes", &table_of,
+            "Machine.passes() of the last picture with the paper's parameter set of each pass (\"set\") and its "
+            "estimated seconds on a VGX (\"vgx_seconds\"), as gw passes prints them.");
 }
 
 py::dict components(const scene::Scene& given, int width, int height, const Profile& profile) {

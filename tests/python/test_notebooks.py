@@ -30,4 +30,4 @@ def test_a_notebook_runs_to_the_end_and_shows_pictures(notebook, monkeypatch):
 
 
 def test_all_notebooks_are_there():
-    assert len(list(FOLDER.glob("*.ipynb"))) == 4
+    assert len(list(FOLDER.glob("*.ipynb"))) == 5

@@ -1,4 +1,5 @@
 """The papers' renderers from Python, beside the command's answers."""
+import json
 import os
 import pathlib
 import subprocess
@@ -135,6 +136,38 @@ def test_item_buffer_and_rays():
         gw.cast_rays(scene, "magic")
     found = gw.renderer_differences(scene, 32, 24)
     assert sum(row["pixels"] for row in found["reasons"]) == 32 * 24
+
+
+def test_passes_and_rays_are_those_of_the_last_picture():
+    renderer = gw.Renderer(gw.Scene.open(SCENES / "fig9.toml"), 32, 24)
+    counted = []
+    for _ in range(2):
+        renderer.draw()
+        counted.append((len(renderer.passes()), sum(p["fragments"] for p in renderer.passes()),
+                        renderer.rays(), renderer.ray_work()))
+    assert counted[0] == counted[1]
+    assert set(renderer.rays()) == {"primary", "reflected", "transmitted", "shadow"}
+    assert renderer.ray_work()["boxes"] > renderer.ray_work()["triangles"] > 0
+
+
+def test_pass_study_is_that_of_the_command(tmp_path):
+    scene = gw.Scene.open(SCENES / "fig9.toml")
+    rows = gw.pass_study(scene, "lights", [1, 3], 32, 24)
+    assert [(r["value"], r["method"]) for r in rows][3:5] == [(1, "ray-tracing"), (3, "maps")]
+    assert gw.pass_study(scene, "lights", [1, 3], 32, 24, threads=2) == rows
+    with pytest.raises(gw.Error, match="sweep 'lite': expected one of scene, lights"):
+        gw.pass_study(scene, "lite")
+    with pytest.raises(gw.Error, match="sweep lights '0': expected"):
+        gw.pass_study(scene, "lights", [0])
+    if COMMAND and os.path.exists(COMMAND):
+        subprocess.run([COMMAND, "study", "passes", SCENES / "fig9.toml", "-o", tmp_path / "out",
+                        "--size", "32x24", "--sweep", "lights=1,3", "--runs", "0", "--quiet"],
+                       check=True, capture_output=True)
+        found = json.loads((tmp_path / "out/results.json").read_text())["rows"][4:]
+        for ours, theirs in zip(rows, found, strict=True):
+            assert ours["picture"] == theirs["picture"]
+            assert {k: ours["counts"][k] for k in theirs["counts"] if k in ours["counts"]}.items() \
+                <= theirs["counts"].items()
 
 
 def test_radiosity_is_an_iterator_of_shots():
