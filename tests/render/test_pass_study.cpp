@@ -13,7 +13,8 @@
 namespace gw::render {
 namespace {
 
-constexpr int side = 16, pixels = side * side;
+constexpr int side = 16;
+constexpr std::uint64_t pixels = side * side;
 
 void silent(const std::string&) {}
 
