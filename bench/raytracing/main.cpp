@@ -71,7 +71,8 @@ std::string run_race(const std::string& name, const scene::Scene& scene, int run
         race(rays_of_picture(scene, world, scene::make_view(scene, width, height)), world, runs);
     std::string csv;
     for (const Kind& k : kinds(races)) {
-        say(fmt::format("{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>9.4f} {:>7.2f} {:>9.2f} "
+        say(
+            fmt::format("{:>9} {:>9} {:>10} {:>9} {:>9.4f} {:>9.4f} {:>9.4f} {:>7.2f} {:>9.2f} "
                         "{:>7}\n",
                         name, world.triangles().size(), k.name, k.race.rays, k.race.ours,
                         k.race.float32, k.race.embree, k.race.embree / k.race.ours,
