@@ -6,7 +6,8 @@ from . import antialiasing, fog, lighting, texture_coordinates
 from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .primitives import identifier, primitives
-from .state import ClipDepth, ClipOrigin, ColorSource, Face, PolygonMode, ShadeModel, Winding, viewport_of
+from .state import (ClipDepth, ClipOrigin, ColorSource, Face, PolygonMode, ShadeModel, Winding,
+                    viewport_of)
 
 # ---- Vertices -------------------------------------------------------------------------------
 

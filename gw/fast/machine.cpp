@@ -6,7 +6,7 @@
 #include "gw/fast/simd/simd_target.h"
 #include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/tile_run.h"
-#include "gw/stages/sample_queries.h"
+#include "gw/sample_queries.h"
 #include "gw/stages/tables.h"
 
 #include <bit>

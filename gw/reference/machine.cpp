@@ -6,9 +6,9 @@
 #include "gw/reference/make.h"
 #include "gw/reference/pixels.h"
 #include "gw/reference/primitives.h"
+#include "gw/sample_queries.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/pixels/draw_pixels.h"
-#include "gw/stages/sample_queries.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
