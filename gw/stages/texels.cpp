@@ -251,8 +251,8 @@ LevelChoice choose_level(const TextureState& s, float rho, int level_count) {
     const auto [base, last] = level_range(s, level_count);
     if (bits <= (later ? root_two_bits : one_bits)) return {.magnify = true, .level = base};
 
-    const auto level_from = [&](std::uint32_t origin) {
-        return base + ((std::int32_t(bits) - std::int32_t(origin)) >> 23);
+    const auto level_from = [bits, first = base](std::uint32_t origin) {
+        return first + ((std::int32_t(bits) - std::int32_t(origin)) >> 23);
     };
     switch (s.min_filter) {
         case MinFilter::Nearest:
