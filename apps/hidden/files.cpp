@@ -144,7 +144,9 @@ std::string put_steps(image::OutputSet& output, const std::filesystem::path& fol
                                  .title = run.algorithm->title,
                                  .in_world = run.algorithm->in_world,
                                  .level = run.log.finest()};
-    std::string log = log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts));
+    std::string log = log_text(input, subject, steps,
+                               hs::log_end(steps.size(), run.result.counts, hs::grid_of(input),
+                                           hs::blame_of(steps, run.result, input.view.width)));
     output.add(folder / "steps.jsonl").write_text(log);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);

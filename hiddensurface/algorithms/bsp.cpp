@@ -22,7 +22,7 @@ Output run(const Input& input, StepLog& log) {
         const Piece drawn = window_piece(input, piece);
         if (drawn.count > 0) draw_piece(input, drawn, output, log);
     };
-    output.counts.facings = far_to_near(tree, eye_of(input.view), draw, eye_log(log));
+    output.counts.facings = far_to_near(tree, eye_of(input.view), draw, eye_log(input, log));
     return output;
 }
 

@@ -67,28 +67,34 @@ private:
     }
 
     bool hidden(const WindowBox& box, const std::vector<std::string>& names, const char* what) {
-        const bool yes = box.rect.width <= 0 || box.rect.height <= 0 ||
-                         pyramid_.hides(box.rect, box.nearest, output_.counts.depths);
-        output_.counts.rejected += yes ? 1 : 0;
-        if (log_.on()) log_hidden(box, names, what, yes);
-        return yes;
+        const bool inside = box.rect.width > 0 && box.rect.height > 0;
+        DepthPyramid::Answer answer{.hidden = true};
+        if (inside) answer = pyramid_.ask(box.rect, box.nearest);
+        output_.counts.depths += answer.read;
+        output_.counts.rejected += answer.hidden ? 1 : 0;
+        if (log_.on() && !inside)
+            log_.add({.test = what, .result = "outside", .pieces = names, .decisive = true});
+        if (log_.on() && inside) log_answer(box, names, what, answer);
+        return answer.hidden;
     }
 
-    void log_hidden(const WindowBox& box, const std::vector<std::string>& names, const char* what,
-                    bool yes) {
-        const bool inside = box.rect.width > 0 && box.rect.height > 0;
+    /// The cell that decided, or the farthest of several; or the pixel that says no.
+    void log_answer(const WindowBox& box, const std::vector<std::string>& names, const char* what,
+                    const DepthPyramid::Answer& answer) {
         Step step{.test = what,
-                  .result = !inside ? "outside"
-                            : yes   ? "hidden"
-                                    : "may-be-seen",
+                  .result = !answer.hidden      ? "may-be-seen"
+                            : answer.cells == 1 ? "hidden"
+                                                : "hidden-by-cells",
                   .pieces = names,
-                  .values = {{"nearest", box.nearest}},
-                  .decisive = yes,
-                  .window = inside ? box.rect : Rect{}};
-        if (inside) {
-            const auto [level, farthest] = pyramid_.around(box.rect);
-            step.values.emplace_back("pyramid", farthest);
-            step.values.emplace_back("level", std::int64_t(level));
+                  .values = {{"nearest", box.nearest},
+                             {"pyramid", answer.farthest},
+                             {"level", std::int64_t(answer.level)}},
+                  .decisive = answer.hidden,
+                  .window = box.rect};
+        if (answer.hidden) step.values.emplace_back("cells", std::int64_t(answer.cells));
+        if (!answer.hidden) {
+            step.values.emplace_back("x", std::int64_t(answer.x));
+            step.values.emplace_back("y", std::int64_t(input_.view.height - 1 - answer.y));
         }
         log_.add(std::move(step));
     }

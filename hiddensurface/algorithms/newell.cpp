@@ -204,7 +204,7 @@ private:
         auto [back, front] = cut_piece(list_[i].world, by.of, plane);
         if (back.parts.empty() || front.parts.empty()) return false;
         output_.counts.splits += 1;
-        log_split(input_, list_[i].world, by, back, front, log_);
+        log_cut(list_[i], list_[j], front, back);
         list_.erase(list_.begin() + std::ptrdiff_t(i));
         add(std::move(front));
         add(std::move(back));
@@ -238,6 +238,23 @@ private:
                   .result = yes ? "yes" : "no",
                   .pieces = {p.piece.name, q.piece.name},
                   .values = {{"first_reach", reach(p)}, {"second_reach", reach(q)}}});
+    }
+
+    /// Distances have the sign of test 3: above 0 is behind.
+    void log_cut(const Item& item, const Item& by, const TreePiece& front, const TreePiece& back) {
+        if (!log_.on()) return;
+        const dvec4 plane = unit_plane(facet(by));
+        const dvec4 behind = is_before(plane, input_.view) ? -plane : plane;
+        const auto made = [&](const TreePiece& part) -> NamedOutline {
+            return {name_of(input_.polygons, part), window_piece(input_, part).parts};
+        };
+        log_.add({.action = Action::Split,
+                  .test = "split",
+                  .result = "seen-plane",
+                  .pieces = {item.piece.name, by.piece.name},
+                  .values = {{"behind", distances_of(item.world, behind)}},
+                  .decisive = true,
+                  .made = {made(front), made(back)}});
     }
 
     void log_cycle(std::size_t p) {

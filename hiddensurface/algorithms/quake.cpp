@@ -99,7 +99,7 @@ private:
         output_.counts.splits = tree.splits;
         std::size_t key = tree.pieces;
         const auto add = [&](const TreePiece& piece) { add_surface(piece, --key); };
-        output_.counts.facings = far_to_near(tree, eye_of(input_.view), add, eye_log(log_));
+        output_.counts.facings = far_to_near(tree, eye_of(input_.view), add, eye_log(input_, log_));
     }
 
     void add_surface(const TreePiece& piece, std::size_t key) {

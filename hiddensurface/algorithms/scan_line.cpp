@@ -11,7 +11,7 @@ Output run(const Input& input, StepLog& log) {
     for_visible_spans(input, output.counts, log, [&](const std::vector<VisibleSpan>& line) {
         std::vector<Painted> painted;
         for (const VisibleSpan& span : line)
-            painted.push_back({span.run, input.polygons[span.polygon].id});
+            add_run(painted, span.run, input.polygons[span.polygon].id);
         if (!line.empty()) draw_line(input, line.front().run.y, std::move(painted), output, log);
     });
     return output;

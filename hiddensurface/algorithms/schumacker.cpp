@@ -72,7 +72,7 @@ Output run(const Input& input, StepLog& log) {
         draw_piece(input, drawn, output, log);
     };
     output.counts.facings =
-        far_to_near(tree, input.polygons, eye_of(input.view), draw, eye_log(log));
+        far_to_near(tree, input.polygons, eye_of(input.view), draw, eye_log(input, log));
     return output;
 }
 

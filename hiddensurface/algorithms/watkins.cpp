@@ -133,7 +133,7 @@ private:
         for (const ActiveFace* segment : segments_) {
             step.pieces.push_back(segment->face->name);
             x0.push_back(segment->x0);
-            x1.push_back(segment->x1);
+            x1.push_back(segment->x1 - 1);
         }
         step.values = {{"x0", x0}, {"x1", x1}};
         log_.add(std::move(step));

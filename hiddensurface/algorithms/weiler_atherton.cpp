@@ -183,7 +183,7 @@ private:
                       .result = "pierced",
                       .pieces = {name.substr(0, name.size() - 1), faces_[clip].name},
                       .decisive = true,
-                      .made = {{name, loops_of(seen)}}});
+                      .made = {{name, loops_of(seen, face)}}});
         return seen;
     }
 
@@ -214,7 +214,7 @@ private:
         add_painted(output_.list, painted);
         output_.pieces.push_back({.polygon = faces_[fragment.face].polygon,
                                   .name = fragment.name,
-                                  .parts = loops_of(fragment.region)});
+                                  .parts = loops_of(fragment.region, fragment.face)});
         if (log_.on())
             log_.add({.action = Action::Draw,
                       .test = "draw",
@@ -224,11 +224,14 @@ private:
                       .painted = std::move(painted)});
     }
 
-    std::vector<Loop> loops_of(const Region& region) const {
+    /// The region with the depths of its face's plane.
+    std::vector<Loop> loops_of(const Region& region, std::size_t face) const {
+        const dvec3 plane = farther(face);
         std::vector<Loop> loops;
         for (const Contour& contour : region) {
             loops.emplace_back();
-            for (const dvec2& p : lines_.corners(contour)) loops.back().emplace_back(p.x, p.y, 0);
+            for (const dvec2& p : lines_.corners(contour))
+                loops.back().emplace_back(p.x, p.y, plane.x * p.x + plane.y * p.y + plane.z);
         }
         return loops;
     }
@@ -236,13 +239,13 @@ private:
     void log_cut(const Fragment& fragment, std::size_t clip, const Region& in, const Region& out) {
         output_.counts.splits += 1;
         if (!log_.on()) return;
-        log_.add(
-            {.action = Action::Split,
-             .test = "split",
-             .result = "outline",
-             .pieces = {fragment.name, faces_[clip].name},
-             .decisive = true,
-             .made = {{fragment.name + "a", loops_of(in)}, {fragment.name + "b", loops_of(out)}}});
+        log_.add({.action = Action::Split,
+                  .test = "split",
+                  .result = "outline",
+                  .pieces = {fragment.name, faces_[clip].name},
+                  .decisive = true,
+                  .made = {{fragment.name + "a", loops_of(in, fragment.face)},
+                           {fragment.name + "b", loops_of(out, fragment.face)}}});
     }
 
     /// The list is near to far; the step is far to near, as all orders.

@@ -4,34 +4,84 @@
 #include "hiddensurface/structures/merge_sort.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace gw::hiddensurface {
 namespace {
 
-/// A triangle between its first and last row: its three edges, walked down [L7].
-struct Active {
+/// A triangle of a facet: its three edges, walked down [L7].
+struct Slice {
+    std::size_t triangle = 0;
     std::size_t order = 0;  ///< in which the machine would draw it
-    std::size_t polygon = 0, triangle = 0;
     const DepthPlane* depth = nullptr;
     std::vector<EdgeWalk> edges;
 };
 
+/// A plane polygon, or a plane part of one, between its first and last row.
+struct Active {
+    std::size_t polygon = 0;
+    std::string name;  ///< in step logs
+    std::vector<Slice> parts;
+};
+
+/// Without its name, which only a log needs.
+constexpr std::size_t active_bytes = sizeof(Active) - sizeof(std::string);
+
 /// The pixels of a row between two edges of a triangle.
+struct Stretch {
+    int x0 = 0, x1 = 0;
+    const Slice* part = nullptr;
+};
+
+/// The pixels of a row between two edges of a plane polygon: stretches that touch.
 struct Segment {
     int x0 = 0, x1 = 0;
     const Active* of = nullptr;
+    std::vector<Stretch> stretches;
+
+    const Slice& at(int x) const {
+        return *std::find_if(stretches.begin(), stretches.end(), [x](const Stretch& s) {
+                    return x < s.x1;
+                })->part;
+    }
 };
 
-bool in_order(const Segment* a, const Segment* b) { return a->of->order < b->of->order; }
+bool in_order(const Segment& a, const Segment& b, int x) { return a.at(x).order < b.at(x).order; }
+
+/// Walks a segment's depths to the right, by increments in a stretch.
+class SegmentWalk {
+public:
+    SegmentWalk(const Segment& segment, const Run& run)
+        : segment_(&segment), x_(run.x0), y_(run.y) {
+        begin();
+    }
+    std::int64_t z() const { return walk_->z(); }
+    void right() {
+        x_ += 1;
+        if (x_ >= segment_->x1) return;
+        if (&segment_->at(x_) == part_)
+            walk_->right();
+        else
+            begin();
+    }
+
+private:
+    void begin() {
+        part_ = &segment_->at(x_);
+        walk_.emplace(*part_->depth, x_, y_);
+    }
+
+    const Segment* segment_;
+    const Slice* part_ = nullptr;
+    int x_ = 0, y_ = 0;
+    std::optional<DepthWalk> walk_;
+};
 
 class ScanLine {
 public:
     ScanLine(const Input& input, Counts& counts, StepLog& log)
         : input_(input), counts_(counts), log_(log), rows_(std::size_t(input.view.height)) {
-        std::size_t order = 0;
-        for (std::size_t p = 0; p < input.polygons.size(); ++p)
-            for (std::size_t t = 0; t < input.polygons[p].triangles.size(); ++t)
-                begin(p, t, order++);
+        for (std::size_t p = 0; p < input.polygons.size(); ++p) begin(p);
         if (log_.wants(Level::Line)) log_edge_table();
     }
 
@@ -46,32 +96,74 @@ public:
     }
 
 private:
-    /// The edge table: triangles by their top row.
-    void begin(std::size_t polygon, std::size_t triangle, std::size_t order) {
-        const WindowTriangle& t = input_.polygons[polygon].triangles[triangle];
-        Active a{order, polygon, triangle, &t.depth, {}};
+    /// The edge table: the polygon's plane parts by their top rows.
+    void begin(std::size_t index) {
+        const Polygon& polygon = input_.polygons[index];
+        const std::size_t facets = polygon.world_facets.size();
+        for (std::size_t k = 0; k < facets; ++k) {
+            const WorldFacet& facet = polygon.world_facets[k];
+            Active a{.polygon = index, .name = name_of(polygon, k, facets), .parts = {}};
+            int top = -1;
+            for (std::size_t t = 0; t < polygon.triangles.size(); ++t)
+                if (polygon.triangles[t].source - facet.first < facet.count)
+                    top = std::max(top, begin(a, polygon.triangles[t], t));
+            if (top >= 0) rows_[std::size_t(top)].push_back(std::move(a));
+        }
+        order_ += polygon.triangles.size();
+    }
+
+    /// Adds a triangle's edges to a facet; returns their top row, -1 if none crosses a row.
+    int begin(Active& a, const WindowTriangle& t, std::size_t index) const {
+        Slice part{index, order_ + index, &t.depth, {}};
         int top = -1;
         for (std::size_t i = 0; i < 3; ++i) {
             const GridPoint &p = t.corners[i], &q = t.corners[(i + 1) % 3];
             if (p.y == q.y) continue;
             const EdgeWalk edge(p, q, input_.subpixel_bits(), input_.view.height - 1);
             if (edge.done()) continue;
-            a.edges.push_back(edge);
+            part.edges.push_back(edge);
             top = std::max(top, edge.row());
         }
-        if (top >= 0) rows_[std::size_t(top)].push_back(std::move(a));
+        if (top >= 0) a.parts.push_back(std::move(part));
+        return top;
     }
 
     /// The segments of row y; every edge takes one step down.
     std::vector<Segment> cut(int y) {
-        std::erase_if(active_, [](const Active& a) {
-            return std::all_of(a.edges.begin(), a.edges.end(),
-                               [](const EdgeWalk& e) { return e.done(); });
+        const auto is_done = [](const EdgeWalk& e) { return e.done(); };
+        std::erase_if(active_, [&](const Active& a) {
+            return std::all_of(a.parts.begin(), a.parts.end(), [&](const Slice& part) {
+                return std::all_of(part.edges.begin(), part.edges.end(), is_done);
+            });
         });
         std::vector<Segment> segments;
+        std::size_t stretches = 0, parts = 0;
         for (Active& a : active_) {
+            const std::vector<Stretch> found = stretches_of(a, y);
+            for (const Stretch& s : found) {
+                const bool joins =
+                    !segments.empty() && segments.back().of == &a && segments.back().x1 == s.x0;
+                if (!joins) segments.push_back({s.x0, s.x1, &a, {}});
+                segments.back().x1 = s.x1;
+                segments.back().stretches.push_back(s);
+            }
+            stretches += found.size();
+            parts += a.parts.size();
+        }
+        counts_.peak_bytes = std::max<std::uint64_t>(
+            counts_.peak_bytes, active_.size() * active_bytes +
+                                    parts * (sizeof(Slice) + 3 * sizeof(EdgeWalk)) +
+                                    segments.size() * (sizeof(Segment) + 2 * sizeof(int)) +
+                                    stretches * sizeof(Stretch));
+        return segments;
+    }
+
+    /// Left to right.
+    std::vector<Stretch> stretches_of(Active& a, int y) const {
+        std::vector<Stretch> stretches;
+        for (Slice& part : a.parts) {
             std::vector<int> x;
-            for (EdgeWalk& edge : a.edges)
+            for (EdgeWalk& edge : part.edges)
                 if (edge.row() == y && !edge.done()) {
                     x.push_back(edge.x());
                     edge.down();
@@ -79,12 +171,11 @@ private:
             if (x.size() < 2) continue;
             const int x0 = std::max(std::min(x[0], x[1]), 0);
             const int x1 = std::min(std::max(x[0], x[1]), input_.view.width);
-            if (x0 < x1) segments.push_back({x0, x1, &a});
+            if (x0 < x1) stretches.push_back({x0, x1, &part});
         }
-        counts_.peak_bytes = std::max<std::uint64_t>(
-            counts_.peak_bytes, active_.size() * (sizeof(Active) + 3 * sizeof(EdgeWalk)) +
-                                    segments.size() * (sizeof(Segment) + 2 * sizeof(int)));
-        return segments;
+        std::stable_sort(stretches.begin(), stretches.end(),
+                         [](const Stretch& s, const Stretch& t) { return s.x0 < t.x0; });
+        return stretches;
     }
 
     /// Sample spans lie between neighbouring ends.
@@ -119,29 +210,29 @@ private:
     void resolve(const Run& run, const std::vector<const Segment*>& over,
                  std::vector<VisibleSpan>& line) {
         counts_.spans += 1;
-        std::vector<DepthWalk> walks;
-        for (const Segment* s : over) walks.emplace_back(*s->of->depth, run.x0, run.y);
-        const Segment* first = nearest(over, walks);
+        std::vector<SegmentWalk> walks;
+        for (const Segment* s : over) walks.emplace_back(*s, run);
+        const Segment* first = nearest(over, walks, run.x0);
         const bool whole = std::all_of(over.begin(), over.end(), [&](const Segment* other) {
             return other == first || stays_before(run, *first, *other);
         });
         if (log_.wants(Level::Span)) log_span(run, over, *first, whole);
         if (whole) return add(run, *first, line);
         for (int x = run.x0; x < run.x1; ++x) {
-            add({run.y, x, x + 1}, *nearest(over, walks), line);
-            for (DepthWalk& walk : walks) walk.right();
+            add({run.y, x, x + 1}, *nearest(over, walks, x), line);
+            for (SegmentWalk& walk : walks) walk.right();
         }
     }
 
-    /// `walks`: the depths of the segments at one pixel.
+    /// `walks`: the depths of the segments at pixel x.
     const Segment* nearest(const std::vector<const Segment*>& over,
-                           const std::vector<DepthWalk>& walks) {
+                           const std::vector<SegmentWalk>& walks, int x) {
         const Segment* best = over.front();
         std::int64_t z_best = walks.front().z();
         for (std::size_t i = 1; i < over.size(); ++i) {
             const std::int64_t z = walks[i].z();
             counts_.depths += 1;
-            if (z < z_best || (z == z_best && in_order(over[i], best))) {
+            if (z < z_best || (z == z_best && in_order(*over[i], *best, x))) {
                 best = over[i];
                 z_best = z;
             }
@@ -149,28 +240,45 @@ private:
         return best;
     }
 
+    /// Compares at the ends of the run and of stretches in it: the snap may bend a polygon there.
     bool stays_before(const Run& run, const Segment& a, const Segment& b) {
-        const int128 margin = in_order(&a, &b) ? 0 : 65536;
-        for (const int x : {run.x0, run.x1 - 1}) {
-            counts_.depths += 1;
-            const int128 za = a.of->depth->value(x, run.y), zb = b.of->depth->value(x, run.y);
-            const int128 top = (int128{a.of->depth->largest} + 1) * 65536;
-            if (zb - za < margin || za < 0 || zb < 0 || za >= top || zb >= top) return false;
+        for (int x0 = run.x0, x1 = 0; x0 < run.x1; x0 = x1) {
+            x1 = std::min({run.x1, end_of_stretch(a, x0), end_of_stretch(b, x0)});
+            if (!is_before_at(x0, run.y, a, b) || !is_before_at(x1 - 1, run.y, a, b)) return false;
         }
         return true;
     }
 
+    static int end_of_stretch(const Segment& s, int x) {
+        return std::find_if(s.stretches.begin(), s.stretches.end(),
+                            [x](const Stretch& stretch) { return x < stretch.x1; })
+            ->x1;
+    }
+
+    bool is_before_at(int x, int y, const Segment& a, const Segment& b) {
+        counts_.depths += 1;
+        const DepthPlane& plane = *a.at(x).depth;
+        const int128 margin = in_order(a, b, x) ? 0 : 65536;
+        const int128 za = plane.value(x, y), zb = b.at(x).depth->value(x, y);
+        const int128 top = (int128{plane.largest} + 1) * 65536;
+        return zb - za >= margin && za >= 0 && zb >= 0 && za < top && zb < top;
+    }
+
     static void add(const Run& run, const Segment& s, std::vector<VisibleSpan>& line) {
-        VisibleSpan span{run, s.of->polygon, s.of->triangle};
-        if (!line.empty() && line.back().run.x1 == run.x0 && line.back().polygon == span.polygon &&
-            line.back().triangle == span.triangle) {
-            line.back().run.x1 = run.x1;
+        for (int x0 = run.x0, x1 = 0; x0 < run.x1; x0 = x1) {
+            x1 = std::min(run.x1, end_of_stretch(s, x0));
+            add({{run.y, x0, x1}, s.of->polygon, s.at(x0).triangle}, line);
+        }
+    }
+
+    static void add(const VisibleSpan& span, std::vector<VisibleSpan>& line) {
+        if (!line.empty() && line.back().run.x1 == span.run.x0 &&
+            line.back().polygon == span.polygon && line.back().triangle == span.triangle) {
+            line.back().run.x1 = span.run.x1;
         } else {
             line.push_back(span);
         }
     }
-
-    std::string name(const Active& a) const { return name_of(input_.polygons[a.polygon]); }
 
     /// The polygons by their top rows, the highest first.
     void log_edge_table() {
@@ -181,7 +289,7 @@ private:
         std::vector<std::int64_t> rows;
         for (std::size_t y = rows_.size(); y-- > 0;)
             for (const Active& a : rows_[y]) {
-                step.pieces.push_back(name(a));
+                step.pieces.push_back(a.name);
                 rows.push_back(std::int64_t(rows_.size() - 1 - y));
             }
         step.values = {{"rows", rows}};
@@ -195,9 +303,9 @@ private:
                   .window = line_of(input_, y)};
         std::vector<std::int64_t> x0, x1;
         for (const Segment& s : segments) {
-            step.pieces.push_back(name(*s.of));
+            step.pieces.push_back(s.of->name);
             x0.push_back(s.x0);
-            x1.push_back(s.x1);
+            x1.push_back(s.x1 - 1);
         }
         step.values = {{"x0", x0}, {"x1", x1}};
         log_.add(std::move(step));
@@ -215,11 +323,11 @@ private:
                   .window = pixels_of(run)};
         std::vector<std::int64_t> left, right;
         for (const Segment* s : over) {
-            step.pieces.push_back(name(*s->of));
-            left.push_back(s->of->depth->at(run.x0, run.y));
-            right.push_back(s->of->depth->at(run.x1 - 1, run.y));
+            step.pieces.push_back(s->of->name);
+            left.push_back(s->at(run.x0).depth->at(run.x0, run.y));
+            right.push_back(s->at(run.x1 - 1).depth->at(run.x1 - 1, run.y));
         }
-        step.values = {{"nearest", name(*nearest.of)}, {"z_left", left}, {"z_right", right}};
+        step.values = {{"nearest", nearest.of->name}, {"z_left", left}, {"z_right", right}};
         log_.add(std::move(step));
     }
 
@@ -228,6 +336,7 @@ private:
     StepLog& log_;
     std::vector<std::vector<Active>> rows_;
     std::vector<Active> active_;
+    std::size_t order_ = 0;  ///< triangles before those of the polygon
 };
 
 }  // namespace

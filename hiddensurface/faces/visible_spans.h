@@ -1,5 +1,5 @@
-// The core of the scan-line algorithm [L6]. Every scan line has the segments of the polygons, their
-// ends sorted in x, the sample spans between the ends, and the nearest segment of each. Stores one
+// The core of the scan-line algorithm [L6]. Every scan line has the segments of the plane polygons,
+// their ends sorted in x, the sample spans between the ends, and the nearest segment of each. Stores one
 // line at a time. Does not draw.
 #pragma once
 

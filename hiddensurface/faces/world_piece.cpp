@@ -2,6 +2,8 @@
 
 #include "hiddensurface/model/normal.h"
 
+#include <cmath>
+
 namespace gw::hiddensurface {
 namespace {
 
@@ -97,12 +99,22 @@ TreeSinks tree_log(const Input& input, Counts& counts, StepLog& log) {
     return {on_split, on_node};
 }
 
-EyeSink eye_log(StepLog& log) {
+EyeSink eye_log(const Input& input, StepLog& log) {
     if (!log.on()) return {};
-    return [&](std::size_t node, double distance) {
+    const dvec4 unit = unit_eye_of(input.view), eye = eye_of(input.view);
+    if (unit.w != 0)
+        return [&log](std::size_t node, double distance) {
+            log.add({.test = "eye-side",
+                     .result = distance >= 0 ? "front" : "back",
+                     .values = {{"node", std::int64_t(node)}, {"D", distance}}});
+        };
+    const double length = std::sqrt(dot4(eye, eye));
+    return [&log, unit, length](std::size_t node, double product) {
         log.add({.test = "eye-side",
-                 .result = distance >= 0 ? "front" : "back",
-                 .values = {{"node", std::int64_t(node)}, {"D", distance}}});
+                 .result = product >= 0 ? "front-parallel" : "back-parallel",
+                 .values = {{"node", std::int64_t(node)},
+                            {"N_d", product / length},
+                            {"d", std::vector{unit.x, unit.y, unit.z}}}});
     };
 }
 

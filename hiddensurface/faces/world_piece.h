@@ -18,13 +18,14 @@ Piece window_piece(const Input& input, const TreePiece& piece);
 /// side of the plane's normal, "b" for the other.
 std::string name_of(const std::vector<Polygon>& polygons, const TreePiece& piece);
 
-/// Logs a Split step: the piece, the piece whose plane cuts it, its parts behind and in front.
+/// Logs a Split step: the piece, the piece whose plane cuts it, its parts behind and in front; its
+/// corners' distances, above 0 on the side of the plane's normal.
 void log_split(const Input& input, const TreePiece& piece, const TreePiece& by,
                const TreePiece& back, const TreePiece& front, StepLog& log);
 
 /// Logs of a tree's parts as they are made, with its counts so far, and of the eye's side at each
 /// node of the walk.
 TreeSinks tree_log(const Input& input, Counts& counts, StepLog& log);
-EyeSink eye_log(StepLog& log);
+EyeSink eye_log(const Input& input, StepLog& log);
 
 }  // namespace gw::hiddensurface

@@ -66,6 +66,9 @@ std::vector<Polygon> project(const scene::Scene& scene, const scene::View& view,
 /// (P_E, 1), or (the direction towards the eye, 0) if all lines of sight are parallel.
 dvec4 eye_of(const scene::View& view);
 
+/// The same with a direction of length 1, so that a product with it is a length: for step logs.
+dvec4 unit_eye_of(const scene::View& view);
+
 /// Whether the eye is on the side that a world plane's normal points to.
 bool is_before(const dvec4& world_plane, const scene::View& view);
 

@@ -228,6 +228,12 @@ dvec4 eye_of(const scene::View& view) {
     return camera.ortho_height > 0 ? dvec4(camera.eye - camera.at, 0) : dvec4(camera.eye, 1);
 }
 
+dvec4 unit_eye_of(const scene::View& view) {
+    const dvec4 eye = eye_of(view);
+    const dvec3 direction(eye);
+    return eye.w == 0 ? dvec4(direction / std::sqrt(dot3(direction, direction)), 0) : eye;
+}
+
 bool is_before(const dvec4& world_plane, const scene::View& view) {
     return dot4(world_plane, eye_of(view)) > 0;
 }

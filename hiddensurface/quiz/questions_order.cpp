@@ -149,10 +149,12 @@ std::optional<Question> ask_pieces(QuizRandom& random) {
         if (std::count(newell.ids.begin(), newell.ids.end(), id) < 200) return std::nullopt;
     q.kind = "pieces";
     q.text = {
-        "Newell, Newell and Sancha's algorithm draws these three triangles, cutting one by the plane of "
-        "another only if neither may be drawn first. How many pieces does it draw? Answer with a number.",
+        "Newell, Newell and Sancha's algorithm draws these three triangles. If neither of two may be drawn "
+        "first, it cuts the one that reaches farther by the plane of the other, or if that misses it, the "
+        "other by its plane. How many pieces does it draw? Answer with a number.",
         "Newell、Newell、Sancha のアルゴリズムで、この三つの三角形を描きます。どちらも先に描けない"
-        "ときだけ、一方を他方の平面で切ります。全部でいくつの部分を描きますか。数で答えなさい。"};
+        "ときは、より遠くまで届くほうを他方の平面で切り、その平面が届かなければ他方を切ります。"
+        "全部でいくつの部分を描きますか。数で答えなさい。"};
     q.answer = std::to_string(newell.pieces.size());
     q.why = {fmt::format("Cuts of the 3 triangles: {}.", newell.counts.splits),
              fmt::format("三つの三角形は {} 回切られます。", newell.counts.splits)};

@@ -132,13 +132,13 @@ std::optional<Question> ask_spans(QuizRandom& random) {
         "On the marked scan line the segments of the triangles begin and end; their ends, sorted in x, "
         "divide it into sample spans. How many of these have at least one triangle over them? Hidden "
         "segments count. Answer with a number.",
-        "印の走査線の上で、三角形の区間が始まり、終わります。その端を x "
-        "の順に並べると、走査線は標本区間に分かれます。三角形が一つ以上重なる標本区間はいくつですか。隠れた"
-        "区間も数えます。数で答えなさい。"};
+        "印の走査線の上で、三角形の線分が始まり、終わります。その端を x "
+        "の順に並べると、走査線はサンプルスパンに分かれます。三角形が一つ以上重なるサンプルスパンはいくつ"
+        "ですか。隠れた線分も数えます。数で答えなさい。"};
     q.row = row;
     q.answer = std::to_string(spans);
     q.why = {"Between neighbouring ends, hidden or not.",
-             "隠れていてもいなくても、隣り合う端の間が一つの標本区間です。"};
+             "隠れていてもいなくても、隣り合う端の間が一つのサンプルスパンです。"};
     q.decided = {.algorithm = "scan-line", .level = Level::Span, .step = last};
     return q;
 }

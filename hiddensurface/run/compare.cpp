@@ -72,6 +72,7 @@ Result run_on(Machine& machine, const Algorithm& algorithm, const Input& input, 
 void compare(Result& result, const std::vector<std::uint32_t>& z_buffer, const Input& input) {
     const Differences differences(input, result.pieces);
     result.difference.assign(result.ids.size(), Difference::None);
+    result.expected = z_buffer;
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (std::size_t i = 0; i < result.ids.size(); ++i) {
         const int x = int(i) % input.view.width, y = int(i) / input.view.width;

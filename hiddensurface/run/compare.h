@@ -71,10 +71,11 @@ struct OnePlane {
 };
 
 struct Result {
-    Counts counts;                       ///< of the algorithm, the machine and the comparison
-    std::vector<std::uint32_t> ids;      ///< bottom row first
-    std::vector<std::uint8_t> writes;    ///< the number of writes of each pixel, at most 255
-    std::vector<Difference> difference;  ///< as `ids`; empty: not compared
+    Counts counts;                        ///< of the algorithm, the machine and the comparison
+    std::vector<std::uint32_t> ids;       ///< bottom row first
+    std::vector<std::uint8_t> writes;     ///< the number of writes of each pixel, at most 255
+    std::vector<Difference> difference;   ///< as `ids`; empty: not compared
+    std::vector<std::uint32_t> expected;  ///< the Z-buffer's ids; empty: not compared
     std::vector<Piece> pieces;
     std::vector<Share> shares;
     OnePlane one_plane;  ///< counted by compare

@@ -126,10 +126,10 @@ Json view_json(const scene::View& view) {
 }
 
 template <class AnyCounts, class Names>
-std::string end_of(std::size_t steps, const AnyCounts& counts, const Names& names) {
+Json end_of(std::size_t steps, const AnyCounts& counts, const Names& names) {
     Json json{{"end", steps}, {"counts", Json::object()}};
     for (const auto& [name, count] : names) json["counts"][name] = counts.*count;
-    return json.dump();
+    return json;
 }
 
 }  // namespace
@@ -187,11 +187,20 @@ std::string log_header(const Input& input, const LogSubject& subject,
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string log_end(std::size_t steps, const Counts& counts) {
-    return end_of(steps, counts, count_names());
+std::string log_end(std::size_t steps, const Counts& counts, const PictureGrid& grid,
+                    const std::vector<Blame>& blame) {
+    Json json = end_of(steps, counts, count_names());
+    for (const Blame& b : blame)
+        json["blame"].push_back({{"step", b.step},
+                                 {"polygon", b.id},
+                                 {"over", b.over},
+                                 {"expected", b.expected},
+                                 {"pixels", b.pixels},
+                                 {"first", {b.x, turned_row(b.y, grid)}}});
+    return json.dump();
 }
 std::string log_end(std::size_t steps, const LineCounts& counts) {
-    return end_of(steps, counts, line_count_names());
+    return end_of(steps, counts, line_count_names()).dump();
 }
 
 }  // namespace gw::hiddensurface

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "hiddensurface/interface/line_algorithm.h"
+#include "hiddensurface/run/blame.h"
 
 #include <map>
 
@@ -37,7 +38,9 @@ std::string log_header(const Input& input, const LogSubject& subject,
                        const std::map<std::uint32_t, std::string>& colors);
 
 /// The last line: the number of steps and all counts, those of the machine and the comparison too.
-std::string log_end(std::size_t steps, const Counts& counts);
+/// `blame`: the steps that spoiled pixels.
+std::string log_end(std::size_t steps, const Counts& counts, const PictureGrid& grid = {},
+                    const std::vector<Blame>& blame = {});
 std::string log_end(std::size_t steps, const LineCounts& counts);
 
 }  // namespace gw::hiddensurface

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace gw::hiddensurface {
 namespace {
 
@@ -15,26 +18,87 @@ struct Paper {
 };
 
 /// All parts as one path: a part inside another is a hole.
-std::string outline(const std::vector<Loop>& parts, const Paper& paper, const std::string& color) {
+std::string area(const std::vector<Loop>& parts, const Paper& paper, const std::string& color) {
     std::string path;
     for (const Loop& loop : parts) {
         for (std::size_t i = 0; i < loop.size(); ++i)
             path += (i == 0 ? "M" : " L") + paper.at(loop[i]);
         path += "Z";
     }
-    return fmt::format(
-        "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"black\" stroke-width=\"0.5\"/>\n",
-        path, color);
+    return fmt::format("<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"none\"/>\n", path,
+                       color);
 }
 
-/// Even numbers stand to the right of the middle, odd ones to the left: two middles may coincide.
-std::string number(const Loop& loop, const Paper& paper, std::size_t n) {
-    dvec3 middle(0);
-    for (const dvec3& p : loop) middle += p / double(loop.size());
+/// Between these ends is one side.
+bool are_near(const dvec3& a, const dvec3& b) {
+    return std::abs(a.x - b.x) < 1e-6 && std::abs(a.y - b.y) < 1e-6;
+}
+
+/// The sides but those at which two convex parts of the piece meet.
+std::string outline(const std::vector<Loop>& parts, const Paper& paper) {
+    std::vector<std::pair<dvec3, dvec3>> sides;
+    for (const Loop& loop : parts)
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            sides.emplace_back(loop[i], loop[(i + 1) % loop.size()]);
+    std::string path;
+    for (const auto& [a, b] : sides) {
+        const dvec3 &from = a, &to = b;
+        const bool is_inner = std::any_of(sides.begin(), sides.end(), [&](const auto& other) {
+            return are_near(other.first, to) && are_near(other.second, from);
+        });
+        if (!is_inner) path += "M" + paper.at(a) + " L" + paper.at(b);
+    }
     return fmt::format(
-        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"8\" text-anchor=\"middle\" "
+        "<path d=\"{}\" fill=\"none\" stroke=\"black\" stroke-width=\"0.5\" "
+        "stroke-linecap=\"round\"/>\n",
+        path);
+}
+
+/// Twice the area, and the centroid.
+std::pair<double, dvec2> centroid_of(const Loop& loop) {
+    double area = 0;
+    dvec2 sum(0), mean(0);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const dvec3 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+        const double part = a.x * b.y - b.x * a.y;
+        area += part;
+        sum += part * dvec2(a.x + b.x, a.y + b.y);
+        mean += dvec2(a.x, a.y) / double(loop.size());
+    }
+    return {std::abs(area), area == 0 ? mean : sum / (3 * area)};
+}
+
+/// Places of the pieces' numbers: in the largest part of each, and below the number that has the
+/// place already.
+class NumberPlaces {
+public:
+    explicit NumberPlaces(const Paper& paper) : paper_(paper) {}
+
+    dvec2 next(const std::vector<Loop>& parts) {
+        std::pair<double, dvec2> best{-1, dvec2(0)};
+        for (const Loop& loop : parts)
+            if (const auto one = centroid_of(loop); one.first > best.first) best = one;
+        dvec2 at(best.second.x / paper_.unit, paper_.height - best.second.y / paper_.unit);
+        while (std::any_of(taken_.begin(), taken_.end(), [&](const dvec2& p) {
+            return std::abs(p.x - at.x) < letter && std::abs(p.y - at.y) < letter;
+        }))
+            at.y += letter;
+        taken_.push_back(at);
+        return at;
+    }
+
+    static constexpr double letter = 8;
+
+private:
+    Paper paper_;
+    std::vector<dvec2> taken_;
+};
+
+std::string number(const dvec2& at, std::size_t n) {
+    return fmt::format(
+        "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{}\" text-anchor=\"middle\" "
         "stroke=\"white\" stroke-width=\"2\" paint-order=\"stroke\">{}</text>\n",
-        middle.x / paper.unit + (n % 2 == 0 ? 4 : -4), paper.height - middle.y / paper.unit, n);
+        at.x, at.y, NumberPlaces::letter, n);
 }
 
 std::string path_of(const Input& input, const Line& line, const std::vector<Part>& parts) {
@@ -67,12 +131,14 @@ std::string pieces_svg(const Input& input, const std::vector<Piece>& pieces,
         const std::string id =
             fmt::format("piece {} of polygon {}", i + 1, input.polygons[pieces[i].polygon].id);
         svg += "<g fill-opacity=\"0.8\"><title>" + id + "</title>\n";
-        svg += outline(pieces[i].parts, paper, colors[pieces[i].polygon]) + "</g>\n";
+        svg += area(pieces[i].parts, paper, colors[pieces[i].polygon]) +
+               outline(pieces[i].parts, paper) + "</g>\n";
     }
     // Numbers come after all pieces, which would hide them. More than 99 could not be read.
     constexpr std::size_t most = 99;
+    NumberPlaces places(paper);
     for (std::size_t i = 0; i < pieces.size() && pieces.size() <= most; ++i)
-        if (!pieces[i].parts.empty()) svg += number(pieces[i].parts.front(), paper, i + 1);
+        if (!pieces[i].parts.empty()) svg += number(places.next(pieces[i].parts), i + 1);
     return svg + "</svg>\n";
 }
 

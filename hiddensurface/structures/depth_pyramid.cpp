@@ -32,32 +32,42 @@ void DepthPyramid::set(int x, int y, std::int64_t z) {
     }
 }
 
-std::pair<std::size_t, std::int64_t> DepthPyramid::around(const Rect& rect) const {
+DepthPyramid::Answer DepthPyramid::ask(const Rect& rect, std::int64_t nearest) const {
     const int x1 = rect.x + rect.width - 1, y1 = rect.y + rect.height - 1;
     std::size_t level = 0;
     while (rect.x >> level != x1 >> level || rect.y >> level != y1 >> level) ++level;
-    return {level, levels_[level].at(rect.x >> level, rect.y >> level)};
+    Answer answer{.hidden = true, .level = level};
+    ask(level, rect.x >> level, rect.y >> level, rect, nearest, answer);
+    return answer;
 }
 
-bool DepthPyramid::hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const {
-    const std::size_t level = around(rect).first;
-    return hides(level, rect.x >> level, rect.y >> level, rect, nearest, compared);
-}
-
-bool DepthPyramid::hides(std::size_t level, int x, int y, const Rect& rect, std::int64_t nearest,
-                         std::uint64_t& compared) const {
-    compared += 1;
-    if (levels_[level].at(x, y) < nearest) return true;
-    if (level == 0) return false;
+void DepthPyramid::ask(std::size_t level, int x, int y, const Rect& rect, std::int64_t nearest,
+                       Answer& answer) const {
+    const std::int64_t z = levels_[level].at(x, y);
+    answer.read += 1;
+    if (z < nearest) {
+        answer.cells += 1;
+        answer.level = std::min(answer.level, level);
+        answer.farthest = std::max(answer.farthest, z);
+        answer.x = x;
+        answer.y = y;
+        return;
+    }
+    if (level == 0) {
+        answer.hidden = false;
+        answer.level = 0;
+        answer.farthest = z;
+        answer.x = x;
+        answer.y = y;
+        return;
+    }
     const std::size_t below = level - 1;
     const int x0 = std::max(2 * x, rect.x >> below),
               x1 = std::min(2 * x + 1, (rect.x + rect.width - 1) >> below);
     const int y0 = std::max(2 * y, rect.y >> below),
               y1 = std::min(2 * y + 1, (rect.y + rect.height - 1) >> below);
-    for (int j = y0; j <= y1; ++j)
-        for (int i = x0; i <= x1; ++i)
-            if (!hides(below, i, j, rect, nearest, compared)) return false;
-    return true;
+    for (int j = y0; j <= y1 && answer.hidden; ++j)
+        for (int i = x0; i <= x1 && answer.hidden; ++i) ask(below, i, j, rect, nearest, answer);
 }
 
 std::uint64_t DepthPyramid::bytes() const {

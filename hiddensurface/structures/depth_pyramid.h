@@ -17,12 +17,18 @@ public:
     std::int64_t at(int x, int y) const { return levels_[0].at(x, y); }
     /// Stores a nearer depth and updates the levels above.
     void set(int x, int y, std::int64_t z);
-    /// True if every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`.
-    /// Reads the lowest cell around it first, then the cells below those that are not nearer. Counts
-    /// the cells read.
-    bool hides(const Rect& rect, std::int64_t nearest, std::uint64_t& compared) const;
-    /// The lowest cell around `rect`: its level, pixels 0, and its depth.
-    std::pair<std::size_t, std::int64_t> around(const Rect& rect) const;
+    /// The cells that answered: all are nearer, or the last is a pixel that is not.
+    struct Answer {
+        bool hidden = false;
+        std::uint64_t read = 0;     ///< cells
+        std::uint64_t cells = 0;    ///< that are nearer: together they cover the rectangle
+        std::size_t level = 0;      ///< pixels 0; of several cells the lowest
+        std::int64_t farthest = 0;  ///< depth of the farthest of the cells, or of the pixel
+        int x = 0, y = 0;           ///< the cell, or the pixel
+    };
+    /// Whether every pixel of `rect`, which is in the window and not empty, is nearer than `nearest`.
+    /// Reads the lowest cell around it first, then the cells below those that are not nearer.
+    Answer ask(const Rect& rect, std::int64_t nearest) const;
     std::uint64_t bytes() const;
 
 private:
@@ -33,8 +39,8 @@ private:
         std::int64_t at(int x, int y) const { return z[pixel_index(x, y, width)]; }
     };
     std::int64_t farthest_below(std::size_t level, int x, int y) const;
-    bool hides(std::size_t level, int x, int y, const Rect& rect, std::int64_t nearest,
-               std::uint64_t& compared) const;
+    void ask(std::size_t level, int x, int y, const Rect& rect, std::int64_t nearest,
+             Answer& answer) const;
 
     std::vector<Level> levels_;  ///< pixels first
 };

@@ -104,7 +104,9 @@ std::string log_of(const HiddenRun& run) {
                        hs::hex_colors(run.input)) +
         "\n";
     for (std::size_t i = 0; i < run.steps.size(); ++i) text += run.step(i) + "\n";
-    return text + hs::log_end(run.steps.size(), run.result.counts) + "\n";
+    const auto blame = hs::blame_of(run.steps, run.result, run.input.view.width);
+    return text + hs::log_end(run.steps.size(), run.result.counts, hs::grid_of(run.input), blame) +
+           "\n";
 }
 
 py::dict counts_of(const HiddenRun& run) {

@@ -4,6 +4,7 @@
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/model/piece.h"
 #include "hiddensurface/model/scan_conversion.h"
+#include "hiddensurface/run/svg.h"
 #include "hiddensurface/structures/merge_sort.h"
 #include "scene/scene_builder.h"
 #include "tests/hiddensurface/cases.h"
@@ -223,6 +224,26 @@ TEST(MergeSort, IsStableAndAsksTheSameEverywhere) {
         });
         EXPECT_EQ(questions, pairs.size() - 1);  // in order already
     }
+}
+
+// A square as two triangles, whose common side is no cut.
+TEST(PiecesSvg, DrawsNoSideBetweenPartsOfAPiece) {
+    Trial trial(case_scene("cycle"));
+    const dvec3 a(80, 80, 0), b(240, 80, 0), c(240, 240, 0), d(80, 240, 0);
+    const std::vector<Piece> pieces{{.name = "1", .parts = {{a, b, c}, {a, c, d}}},
+                                    {.name = "2", .parts = {{a, b, c}, {a, c, d}}}};
+    const std::string svg = pieces_svg(trial.input, pieces, std::vector<std::string>(3, "#ffffff"));
+    const auto count = [&](const std::string& part) {
+        std::size_t found = 0;
+        for (auto at = svg.find(part); at != svg.npos; at = svg.find(part, at + 1)) ++found;
+        return found;
+    };
+    EXPECT_EQ(count("M10.000,110.000 L30.000,90.000"), 0u);
+    EXPECT_EQ(count("M10.000,110.000 L30.000,110.000 L30.000,90.000"), 2u);  // the areas
+    EXPECT_EQ(count("M30.000,90.000 L10.000,90.000"), 2u);
+    // Their numbers do not cover each other.
+    EXPECT_EQ(count("x=\"20.00\" y=\"100.00\""), 1u);
+    EXPECT_EQ(count("x=\"20.00\" y=\"108.00\""), 1u);
 }
 
 }  // namespace gw::hiddensurface

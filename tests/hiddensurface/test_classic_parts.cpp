@@ -3,7 +3,6 @@
 #include "hiddensurface/faces/active_faces.h"
 #include "hiddensurface/faces/region.h"
 #include "hiddensurface/structures/clusters.h"
-#include "hiddensurface/structures/depth_pyramid.h"
 #include "hiddensurface/structures/octree.h"
 #include "scene/shapes/shapes.h"
 #include "tests/hiddensurface/small_families.h"
@@ -130,30 +129,6 @@ TEST(Faces, HaveThePixelsAndTheOrderOfTheirTriangles) {
             EXPECT_EQ(of, counted(runs, 72, 54)) << "seed " << seed << ", polygon " << polygon;
         }
     }
-}
-
-TEST(DepthPyramid, HidesWhatEveryPixelOfTheRectangleHides) {
-    Random random(5);
-    DepthPyramid pyramid(37, 21, 1000);
-    std::vector<std::int64_t> z(37 * 21, 1000);
-    int hidden = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const int x = int(random(0, 37)), y = int(random(0, 21));
-        z[std::size_t(37 * y + x)] =
-            std::min(z[std::size_t(37 * y + x)], std::int64_t(random(0, 600)));
-        pyramid.set(x, y, z[std::size_t(37 * y + x)]);
-        const Rect rect{x, y, 1 + int(random(0, std::min(8, 37 - x))),
-                        1 + int(random(0, std::min(8, 21 - y)))};
-        const auto nearest = std::int64_t(random(0, 1001));
-        bool expected = true;
-        for (int j = rect.y; j < rect.y + rect.height; ++j)
-            for (int k = rect.x; k < rect.x + rect.width; ++k)
-                expected = expected && z[std::size_t(37 * j + k)] < nearest;
-        std::uint64_t compared = 0;
-        EXPECT_EQ(pyramid.hides(rect, nearest, compared), expected);
-        hidden += expected ? 1 : 0;
-    }
-    EXPECT_GT(hidden, 100);
 }
 
 TEST(Octree, HasEveryPolygonOnceAndItsWindowBoxHasAllOfIt) {

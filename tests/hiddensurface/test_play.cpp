@@ -22,7 +22,10 @@ std::string log_of_run(Trial& trial, const std::string& name, Result& result) {
     std::string text = log_header(trial.input, {.algorithm = name}, {}) + "\n";
     for (std::size_t i = 0; i < log.steps().size(); ++i)
         text += to_json(log.steps()[i], i + 1, grid_of(trial.input)) + "\n";
-    return text + log_end(log.steps().size(), result.counts) + "\n";
+    return text +
+           log_end(log.steps().size(), result.counts, grid_of(trial.input),
+                   blame_of(log.steps(), result, trial.input.view.width)) +
+           "\n";
 }
 
 Result play(Trial& trial, const std::string& text) {
@@ -240,6 +243,42 @@ TEST(Play, RefusesMoreOutlinesThanMemoryHolds) {
     const std::string said = error_of(trial, text);
     EXPECT_NE(said.find("expected at most 10,000,000 in all"), std::string::npos) << said;
     EXPECT_EQ(said.find("answer:"), 0u);
+}
+
+// By hand: 1 is drawn last over all of cycle's polygons.
+TEST(Blame, NamesTheStepThatSpoiledEachPixel) {
+    Trial trial(case_scene("cycle"));
+    StepLog log(Level::Polygon);
+    const std::string steps =
+        "{\"kind\":\"draw\",\"pieces\":[\"2\"]}\n{\"kind\":\"draw\",\"pieces\":[\"3\"]}\n"
+        "{\"kind\":\"draw\",\"pieces\":[\"1\"]}\n";
+    Result result =
+        run_on(*trial.machine, played(read_play(trial.input, "answer", steps)), trial.input, log);
+    compare(result, trial.z_buffer.ids, trial.input);
+    const auto all = blame_of(log.steps(), result, trial.input.view.width);
+    ASSERT_FALSE(all.empty());
+    std::uint64_t pixels = 0;
+    for (const Blame& b : all) {
+        pixels += b.pixels;
+        ASSERT_GE(b.step, 1u);
+        const Step& step = log.steps()[b.step - 1];
+        EXPECT_EQ(step.action, Action::Draw);
+        EXPECT_EQ(step.pieces.front(), std::to_string(b.id));
+        const std::size_t at = pixel_index(b.x, b.y, trial.input.view.width);
+        EXPECT_EQ(result.ids[at], b.id);
+        EXPECT_EQ(trial.z_buffer.ids[at], b.expected);
+        EXPECT_EQ(result.difference[at], Difference::Wrong);
+        EXPECT_EQ(b.over, b.expected);  // the polygon that it spoiled was there
+    }
+    EXPECT_EQ(pixels, result.counts.wrong);
+    EXPECT_EQ(all.back().step, 3u);
+}
+
+TEST(Blame, IsEmptyForARightPicture) {
+    Trial trial(case_scene("cycle"));
+    StepLog log(Level::Polygon);
+    const Result result = trial.run("newell", log);
+    EXPECT_EQ(blame_of(log.steps(), result, trial.input.view.width), std::vector<Blame>());
 }
 
 }  // namespace gw::hiddensurface

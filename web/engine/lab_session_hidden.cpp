@@ -98,7 +98,9 @@ std::string LabSession::graded_log(Machine& machine, const hs::Algorithm& algori
                                  .title = algorithm.title,
                                  .in_world = algorithm.in_world,
                                  .level = level};
-    return log_text(input, subject, log, hs::log_end(log.steps().size(), result.counts));
+    return log_text(input, subject, log,
+                    hs::log_end(log.steps().size(), result.counts, hs::grid_of(input),
+                                hs::blame_of(log.steps(), result, input.view.width)));
 }
 
 void LabSession::keep_difference(const hs::Result& result, int width) {

@@ -52,7 +52,13 @@ Json LabSession::passes(const Json& options) {
                           {"seconds", report::estimated_seconds(pass.counters, prices)}});
     }
     replayed_ = std::make_unique<inspect::Replayed>(std::move(recording));
-    return {{"toml", multipass::to_toml(list)}, {"passes", passes}, {"machine", prices.machine}};
+    std::vector<std::string> warnings = render::warnings(drawing);
+    const std::string empty = render::empty_warning(drawing, *machine);
+    if (!empty.empty()) warnings.push_back(empty);
+    return {{"toml", multipass::to_toml(list)},
+            {"passes", passes},
+            {"machine", prices.machine},
+            {"warnings", warnings}};
 }
 
 Json LabSession::plane(const Json& options) {

@@ -108,6 +108,7 @@ struct GradedQuiz {
     Json seed;
     std::vector<GradedAnswer> answers;
     std::size_t right = 0;
+    std::string error;  ///< why the student's file could not be read
     bool is_all_right() const { return right == answers.size(); }
 };
 
@@ -145,8 +146,9 @@ std::string json_of(const GradedQuiz& quiz) {
                         {"grade", grade},
                         {"expected", key.answer},
                         {"why", key.why}});
-    return Json{{"right", quiz.right}, {"of", quiz.answers.size()}, {"answers", list}}.dump(2) +
-           "\n";
+    Json json{{"right", quiz.right}, {"of", quiz.answers.size()}, {"answers", list}};
+    if (!quiz.error.empty()) json["error"] = quiz.error;
+    return json.dump(2) + "\n";
 }
 
 /// A student's answers: FOLDER/answers.json as in the handout, or FOLDER.json.
@@ -156,6 +158,19 @@ std::optional<std::filesystem::path> answers_in(const std::filesystem::path& all
          {all / folder / "answers.json", all / (folder + ".json")})
         if (scene::file_exists(file)) return file;
     return {};
+}
+
+/// A student's file that cannot be read costs this student's answers, and is a warning.
+GradedQuiz graded_or_unreadable(const std::filesystem::path& key,
+                                const std::optional<std::filesystem::path>& answers) {
+    GradedQuiz missing = graded(key, {});
+    try {
+        return answers ? graded(key, answers) : missing;
+    } catch (const Error& error) {
+        missing.error = error.what();
+        print_warning(escape_controls(missing.error));
+        return missing;
+    }
 }
 
 /// Names every file and folder that belongs to no student: a misspelt one would count as missing.
@@ -187,7 +202,8 @@ std::vector<std::pair<std::string, GradedQuiz>> graded_class(const std::filesyst
     warn_of_strangers(answers, folders);
     std::vector<std::pair<std::string, GradedQuiz>> all;
     for (const std::string& folder : folders)
-        all.emplace_back(folder, graded(keys / folder / "key.json", answers_in(answers, folder)));
+        all.emplace_back(
+            folder, graded_or_unreadable(keys / folder / "key.json", answers_in(answers, folder)));
     return all;
 }
 
@@ -202,10 +218,11 @@ std::vector<std::vector<std::string>> rows_of(
         rows.push_back({folder, quiz.seed.dump(), std::to_string(quiz.right),
                         std::to_string(quiz.answers.size())});
         for (const auto& [key, given, grade] : quiz.answers)
-            rows.back().push_back(
-                given == key.answer
-                    ? given
-                    : fmt::format("{} (not {})", key.answer, given.empty() ? "answered" : given));
+            rows.back().push_back(given == key.answer ? given
+                                                      : fmt::format("{} (not {})", key.answer,
+                                                                    !quiz.error.empty() ? "readable"
+                                                                    : given.empty()     ? "answered"
+                                                                                        : given));
         rows.back().resize(rows[0].size());
     }
     return rows;

@@ -57,7 +57,8 @@ std::string player_of(const hs::Question& question) {
         const auto expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
         hs::Result result = hs::run_on(*machine, algorithm, input, log);
         hs::compare(result, expected.ids, input);
-        end = hs::log_end(log.steps().size(), result.counts);
+        end = hs::log_end(log.steps().size(), result.counts, hs::grid_of(input),
+                          hs::blame_of(log.steps(), result, input.view.width));
     }
     return page_with("player.html", {log_text(input, subject, log.steps(), end)});
 }

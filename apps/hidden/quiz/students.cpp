@@ -16,10 +16,13 @@ namespace {
 
 constexpr int most_students = 999, most_seed = 2147483647;
 
-std::string trimmed(const std::string& text) {
-    const auto first = text.find_first_not_of(" \t\r\""), last = text.find_last_not_of(" \t\r\"");
+std::string trimmed(const std::string& text, const char* of = " \t\r\"") {
+    const auto first = text.find_first_not_of(of), last = text.find_last_not_of(of);
     return first == text.npos ? "" : text.substr(first, last - first + 1);
 }
+
+/// Quotes stay.
+std::string without_space(const std::string& text) { return trimmed(text, " \t\r"); }
 
 /// Letters, digits and all beyond ASCII stay.
 std::string folder_of(std::size_t number, const std::string& name) {
@@ -56,14 +59,15 @@ std::vector<Student> read_students(const std::string& file, int seed) {
     int number = 0;
     for (std::string line; std::getline(lines, line);) {
         ++number;
-        const std::string text = trimmed(line);
+        const std::string text = without_space(line);
         if (text.empty() || (number == 1 && (text == "name" || text == "name,seed"))) continue;
-        const auto comma = line.rfind(',');
-        const std::string name = trimmed(line.substr(0, comma));
+        const auto quoted = text.front() == '"' ? text.find('"', 1) : text.npos;
+        const auto comma = quoted == text.npos ? text.rfind(',') : text.find(',', quoted);
+        const std::string name = trimmed(text.substr(0, comma));
         if (name.empty()) throw Error(file, number, "no name; expected name or name,seed");
         const int own = comma == line.npos
                             ? seed_after(seed, students.size())
-                            : seed_from(file, number, trimmed(line.substr(comma + 1)));
+                            : seed_from(file, number, trimmed(text.substr(comma + 1)));
         students.push_back(student_of(students.size() + 1, name, own));
         if (int(students.size()) > most_students)
             throw Error(file, number,

@@ -129,6 +129,41 @@ TEST_F(QuizFiles, EveryStudentHasAQuizAndTheClassAReport) {
     expect_refused(1, {"quiz", "p", "--students", "none.csv"}, {"none.csv"});
 }
 
+// A heading, names with commas, with and without a seed.
+TEST_F(QuizFiles, ReadsQuotedNamesOfAClass) {
+    write("class.csv", "name,seed\n\"Li, Wei\"\n\"M\xC3\xBCller, Anna\",5\nMori,6\n\"Abe\"\n");
+    ASSERT_EQ(gw({"quiz", "q", "--students", "class.csv", "--seed", "8", "--questions", "1"}).code,
+              0);
+    EXPECT_EQ(bytes_of(in("q/class.csv")),
+              "student,seed,folder\n\"Li, Wei\",8,01_Li__Wei\n"
+              "\"M\xC3\xBCller, Anna\",5,02_M\xC3\xBCller__Anna\n\"Mori\",6,03_Mori\n"
+              "\"Abe\",11,04_Abe\n");
+}
+
+// A file that nobody can read costs its student's answers only.
+TEST_F(QuizFiles, GradesAClassWithAnUnreadableFile) {
+    ASSERT_EQ(gw({"quiz", "q", "--students", "3", "--questions", "2"}).code, 0);
+    std::filesystem::create_directory(in("given"));
+    for (const std::string student : {"01", "02", "03"}) {
+        const auto key = nlohmann::json::parse(bytes_of(in("q/answers/" + student + "/key.json")));
+        nlohmann::json mine{{"seed", key["seed"]}};
+        for (const auto& a : key["answers"])
+            mine["answers"][std::to_string(a["number"].get<int>())] = a["answer"];
+        write("given/" + student + ".json", mine.dump() + (student == "02" ? "," : ""));
+    }
+    const Outcome report = gw({"grade", "q/answers", "given", "--csv"});
+    EXPECT_EQ(report.code, 3);
+    EXPECT_NE(report.out.find("\"01\",\"1\",\"2\",\"2\","), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("\"02\",\"2\",\"0\",\"2\","), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("(not readable)"), report.out.npos) << report.out;
+    EXPECT_NE(report.out.find("\"03\",\"3\",\"2\",\"2\","), report.out.npos) << report.out;
+    EXPECT_NE(report.err.find("02.json"), report.err.npos) << report.err;
+    const Outcome json = gw({"grade", "q/answers", "given", "--json"});
+    const auto all = nlohmann::json::parse(json.out);
+    EXPECT_NE(all["02"]["error"].get<std::string>().find("expected JSON"), std::string::npos);
+    EXPECT_FALSE(all["01"].contains("error"));
+}
+
 TEST_F(QuizFiles, RefusesAnswersThatFitNoKey) {
     ASSERT_EQ(gw({"quiz", "q", "--seed", "3", "--questions", "2"}).code, 0);
     const auto refused = [&](const std::string& text, const std::string& part) {
