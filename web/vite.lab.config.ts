@@ -71,8 +71,11 @@ function data(): Plugin {
   };
 }
 
+const { version } = JSON.parse(readFileSync('package.json', 'utf8')) as { version: string };
+
 export default defineConfig({
   root: 'lab',
+  define: { __GW_VERSION__: JSON.stringify(version) },
   plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile(), data()],
   build: {
     outDir: process.env.GW_WEB_OUT ?? '../dist-lab',

@@ -20,7 +20,7 @@ function longLog(steps: number): Log {
       counts: { pixels: i },
     };
   });
-  return { header, steps: all, totals: {}, whole: true };
+  return { header, steps: all, totals: {}, blame: [], whole: true };
 }
 
 function paintedUntil(log: Log, position: number): number[] {

@@ -29,3 +29,5 @@ const japanese: Readonly<Record<string, string>> = {
 export function titleOf(algorithm: string, title: string, language: Language): string {
   return language === 'ja' ? (japanese[algorithm] ?? title) : title;
 }
+
+export const titledAlgorithms: readonly string[] = Object.keys(japanese);

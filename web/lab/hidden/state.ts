@@ -27,7 +27,13 @@ export interface HiddenState {
   /** One or two. */
   algorithms: string[];
   level: string;
+  /** The story that is told; '': none. */
+  story: string;
 }
+
+/** A visit without an address begins with it. */
+const firstStory = 'first';
+const namesPicture = ['exhibit', 'scene', 'algorithm', 'step', 'story'];
 
 export const levels = ['polygon', 'line', 'span', 'pixel'];
 
@@ -35,9 +41,14 @@ export const hiddenState: ExhibitState<HiddenState> = {
   from: (parts) => ({
     algorithms: (parts.get('algorithm') ?? 'newell').split(',').slice(0, 2),
     level: known(parts.get('level'), levels),
+    story: namesPicture.some((name) => parts.has(name)) ? (parts.get('story') ?? '') : firstStory,
   }),
   put(parts, choices) {
     parts.set('algorithm', choices.algorithms.join(','));
     parts.set('level', choices.level);
+    if (choices.story) parts.set('story', choices.story);
+  },
+  forget(choices) {
+    choices.story = '';
   },
 };

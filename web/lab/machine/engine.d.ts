@@ -39,3 +39,6 @@ declare module 'gw-engine' {
 declare module 'gw-scalar' {
   export { default } from 'gw-engine';
 }
+
+/** Of package.json. */
+declare const __GW_VERSION__: string;

@@ -20,6 +20,8 @@ export class Machine {
   private scene = '';
   private module: WebAssembly.Module | undefined;
   private files: Files = {}; // beside the page's scenes
+  /** What the last answer warns of, if it is a picture's. */
+  onwarnings: ((warnings: readonly string[]) => void) | undefined;
   /** The first worker's answer; later ones give the same. */
   readonly started: Result<'start'>;
 
@@ -38,6 +40,7 @@ export class Machine {
       const { number, value, error } = event.data;
       const asked = this.waiting.get(number);
       this.waiting.delete(number);
+      if (asked && asked.method !== 'open') this.hear(value);
       if (error === undefined) asked?.done(value);
       else asked?.failed(new Error(error.replaceAll(folder, '')));
       if (error?.startsWith('not enough memory')) {
@@ -48,6 +51,11 @@ export class Machine {
     return new Promise((done, failed) => {
       this.waiting.set(0, { method: 'start', done: done as (value: unknown) => void, failed });
     });
+  }
+
+  private hear(value: unknown): void {
+    if (typeof value !== 'object' || value === null || !('warnings' in value)) return;
+    this.onwarnings?.(value.warnings as readonly string[]);
   }
 
   ask<M extends keyof Methods>(method: M, ...values: Parameters<Methods[M]>): Result<M> {
@@ -67,6 +75,7 @@ export class Machine {
   /** Another machine with the same files and scene. */
   twin(): Machine {
     const twin = new Machine(beginWorker(this.module));
+    twin.onwarnings = (warnings) => this.onwarnings?.(warnings);
     twin.write(this.files).catch(() => undefined); // what is asked for next fails
     twin.ask('open', this.scene).catch(() => undefined);
     return twin;

@@ -58,7 +58,10 @@ export interface Methods {
   start(engine: string | WebAssembly.Module, vectors: boolean, scenes: string): Started;
   write(files: Files): void;
   open(path: string): SceneFacts;
-  draw(options: DrawOptions): { readonly picture: Uint8Array };
+  draw(options: DrawOptions): {
+    readonly picture: Uint8Array;
+    readonly warnings: readonly string[];
+  };
   manifest(options: DrawOptions): { readonly text: string };
 }
 

@@ -2,6 +2,7 @@
 // and checked by steps.schema.json. y counts downwards from the picture's upper edge.
 import type { Language } from '../../words/language';
 import type { Point } from '../point';
+import type { Blame } from './blame';
 
 export type Level = 'polygon' | 'line' | 'span' | 'pixel';
 export type Kind = 'compare' | 'decide' | 'sort' | 'split' | 'draw';
@@ -103,8 +104,16 @@ export interface Log {
   readonly steps: readonly Step[];
   /** All counts of the run; empty if the log ends early. */
   readonly totals: Readonly<Record<string, number>>;
+  /** Of wrong pixels; empty for a right picture. */
+  readonly blame: readonly Blame[];
   /** The log has its last line. */
   readonly whole: boolean;
+}
+
+interface End {
+  readonly end: number;
+  readonly counts: Readonly<Record<string, number>>;
+  readonly blame?: readonly Blame[];
 }
 
 export class LogError extends Error {}
@@ -129,7 +138,7 @@ export class LogReader {
   private lines = 0;
   private header: Header | undefined;
   private readonly steps: Step[] = [];
-  private totals: Readonly<Record<string, number>> | undefined;
+  private end: End | undefined;
 
   add(piece: string): void {
     const lines = (this.rest + piece).split('\n');
@@ -144,16 +153,17 @@ export class LogReader {
     return {
       header: this.header!,
       steps: this.steps,
-      totals: this.totals ?? {},
-      whole: this.totals !== undefined,
+      totals: this.end?.counts ?? {},
+      blame: this.end?.blame ?? [],
+      whole: this.end !== undefined,
     };
   }
 
   private addLine(line: string): void {
-    if (this.totals) return;
+    if (this.end) return;
     const value = parseLine(line, ++this.lines);
     if (this.lines === 1) this.begin(value);
-    else this.addStep(value as Step | { end: number; counts: Record<string, number> });
+    else this.addStep(value as Step | End);
   }
 
   private begin(value: unknown): void {
@@ -164,8 +174,8 @@ export class LogReader {
     this.header = value;
   }
 
-  private addStep(value: Step | { end: number; counts: Record<string, number> }): void {
-    if ('end' in value) this.totals = value.counts;
+  private addStep(value: Step | End): void {
+    if ('end' in value) this.end = value;
     else if (typeof value.step !== 'number' || typeof value.kind !== 'string')
       throw new LogError(`line ${this.lines}: not a step; expected "step" and "kind"`);
     else this.steps.push(value);

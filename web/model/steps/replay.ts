@@ -76,8 +76,14 @@ export class Replay {
     return this.log.steps[this.done - 1];
   }
 
+  /** After the last step those of the whole run. */
   count(name: string): number {
-    return this.counts.get(name) ?? 0;
+    const atEnd = this.done === this.log.steps.length ? this.log.totals[name] : undefined;
+    return atEnd ?? this.counts.get(name) ?? 0;
+  }
+  /** Whether steps count it, not only the whole run. */
+  isCounted(name: string): boolean {
+    return this.frames.at(-1)!.counts.has(name) || this.counts.has(name);
   }
   countNames(): string[] {
     return [...new Set([...Object.keys(this.log.totals), ...this.frames.at(-1)!.counts.keys()])];

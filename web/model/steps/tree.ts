@@ -58,8 +58,9 @@ export function sidesOf(steps: readonly Step[]): Sides {
     const node = numberOf(step, 'node');
     if (step.test !== 'eye-side' || node === undefined) return;
     const known = sides.get(node);
-    if (known) known.push([i + 1, step.result]);
-    else sides.set(node, [[i + 1, step.result]]);
+    const side = step.result.startsWith('front') ? 'front' : 'back'; // "front-parallel"
+    if (known) known.push([i + 1, side]);
+    else sides.set(node, [[i + 1, side]]);
   });
   return sides;
 }
