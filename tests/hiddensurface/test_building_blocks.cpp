@@ -238,12 +238,13 @@ TEST(PiecesSvg, DrawsNoSideBetweenPartsOfAPiece) {
         for (auto at = svg.find(part); at != svg.npos; at = svg.find(part, at + 1)) ++found;
         return found;
     };
-    EXPECT_EQ(count("M10.000,110.000 L30.000,90.000"), 0u);
+    EXPECT_EQ(count("M10.000,110.000 L30.000,90.000"), 2u);  // the areas
+    EXPECT_EQ(count("M10.000,110.000 L30.000,90.000 L10.000,90.000Z"), 2u);
     EXPECT_EQ(count("M10.000,110.000 L30.000,110.000 L30.000,90.000"), 2u);  // the areas
     EXPECT_EQ(count("M30.000,90.000 L10.000,90.000"), 2u);
     // Their numbers do not cover each other.
-    EXPECT_EQ(count("x=\"20.00\" y=\"100.00\""), 1u);
-    EXPECT_EQ(count("x=\"20.00\" y=\"108.00\""), 1u);
+    EXPECT_EQ(count("x=\"23.33\" y=\"103.33\""), 1u);
+    EXPECT_EQ(count("x=\"23.33\" y=\"111.33\""), 1u);
 }
 
 }  // namespace gw::hiddensurface

@@ -67,6 +67,16 @@ auto min_element(Range&& range, Compare, Projection projection) {
     });
 }
 template <class Range, class Compare = std::ranges::less, class Projection>
+auto max_element(Range&& range, Compare, Projection projection) {
+    return std::max_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
+        return std::invoke(projection, a) < std::invoke(projection, b);
+    });
+}
+template <class Range, class Compare>
+bool is_sorted(const Range& range, Compare before) {
+    return std::is_sorted(std::begin(range), std::end(range), before);
+}
+template <class Range, class Compare = std::ranges::less, class Projection>
 void stable_sort(Range& range, Compare, Projection projection) {
     std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
