@@ -29,7 +29,7 @@ for each polygon P: | 各ポリゴン P について: |
   else: D := (P_E - P_i)·N | でなければ D := (P_E - P_i)·N |
   if D > 0: P faces the eye | D > 0 なら視点を向く | facing.front facing-parallel.front
   if D < 0: P looks away, leave it out | D < 0 なら裏面なので除く | facing.back facing-parallel.back
-  if D = 0: seen from its edge, leave it out | D = 0 なら真横なので除く | facing.edge-on facing-parallel.edge-on
+  if D = 0: on edge, leave it out | D = 0 なら真横なので除く | facing.edge-on facing-parallel.edge-on
   if it faces the eye: | 視点を向くなら: |
     draw all its pixels | その画素をすべて描く | draw
 polygons before others are not looked for | 手前のポリゴンは調べない |`,

@@ -157,8 +157,8 @@ describePages('the player', (pages) => {
     expect(await (await savedAt(0)).jsonValue()).toMatchObject({ head: '<svg ' });
     await (await pages.page.$('.tools ::-p-text(PNG)'))!.click();
     expect(await (await savedAt(1)).jsonValue()).toMatchObject({ type: 'image/png' });
-    await (await pages.page.$('summary'))!.click();
-    await (await pages.page.$('details ::-p-text(Save)'))!.click();
+    await (await pages.page.$('.exports summary'))!.click();
+    await (await pages.page.$('.exports ::-p-text(Save)'))!.click();
     expect(await (await savedAt(2)).jsonValue()).toMatchObject({ head: 'GIF89' });
   });
 
