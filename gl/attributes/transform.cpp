@@ -22,9 +22,13 @@ dmat4& changing_matrix(Context& context) {
     return context.matrices.current(context.state.transform.matrix_mode).top();
 }
 
+/// Matrices hold floats: what GetFloatv hands out, LoadMatrixf brings back to the bit.
+void set_matrix(Context& context, const dmat4& m) {
+    changing_matrix(context) = dmat4(glm::mat4(m));
+}
 void multiply(Context& context, const dmat4& m) {
-    dmat4& top = changing_matrix(context);
-    top = product(top, m);
+    set_matrix(context,
+               product(context.matrices.current(context.state.transform.matrix_mode).top(), m));
 }
 
 /// [GL11] 2.10.2: rotation by `angle` degrees about an axis of length 1.
@@ -76,9 +80,9 @@ void matrix_mode(Context& context, GLenum mode) {
     context.state.transform.matrix_mode = mode;
 }
 
-void load_matrix(Context& context, const dmat4& m) { changing_matrix(context) = m; }
+void load_matrix(Context& context, const dmat4& m) { set_matrix(context, m); }
 void mult_matrix(Context& context, const dmat4& m) { multiply(context, m); }
-void load_identity(Context& context) { changing_matrix(context) = dmat4(1); }
+void load_identity(Context& context) { set_matrix(context, dmat4(1)); }
 
 void rotate(Context& context, double angle, double x, double y, double z) {
     const dvec3 axis(x, y, z);

@@ -1,4 +1,4 @@
-// The three matrix stacks. [GL11] 2.10.2. In double; queries round.
+// The three matrix stacks. [GL11] 2.10.2. The elements are floats, in double for the arithmetic.
 #pragma once
 
 #include "gl/state/state.h"

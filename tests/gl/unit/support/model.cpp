@@ -250,6 +250,7 @@ void Model::multiply(const Matrix& by) {
             out[4 * column + row] = 0;
             for (std::size_t k = 0; k < 4; ++k)
                 out[4 * column + row] += m[4 * k + row] * by[4 * column + k];
+            out[4 * column + row] = double(float(out[4 * column + row]));
         }
 }
 
