@@ -53,6 +53,27 @@ void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type,
 void draw_range_elements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count,
                          GLenum type, const GLvoid* indices);
 
+void multi_draw_arrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
+                       GLsizei primcount);
+void multi_draw_elements(Context& context, GLenum mode, const GLsizei* count, GLenum type,
+                         const GLvoid* const* indices, GLsizei primcount);
+
+// [GL15] 2.9 Buffer objects
+void gen_buffers(Context& context, GLsizei n, GLuint* buffers);
+void delete_buffers(Context& context, GLsizei n, const GLuint* buffers);
+GLboolean is_buffer(Context& context, GLuint buffer);
+void bind_buffer(Context& context, GLenum target, GLuint buffer);
+void buffer_data(Context& context, GLenum target, GLsizeiptr size, const GLvoid* data,
+                 GLenum usage);
+void buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeiptr size,
+                     const GLvoid* data);
+void get_buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeiptr size,
+                         GLvoid* data);
+GLvoid* map_buffer(Context& context, GLenum target, GLenum access);
+GLboolean unmap_buffer(Context& context, GLenum target);
+void get_buffer_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params);
+void get_buffer_pointerv(Context& context, GLenum target, GLenum pname, GLvoid** params);
+
 // 2.9 Rectangles
 void rect(Context& context, double x1, double y1, double x2, double y2);
 
@@ -152,9 +173,12 @@ void stencil_func(Context& context, GLenum func, GLint ref, GLuint mask);
 void stencil_op(Context& context, GLenum fail, GLenum zfail, GLenum zpass);
 void depth_func(Context& context, GLenum func);
 void blend_func(Context& context, GLenum sfactor, GLenum dfactor);
+void blend_func_separate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha,
+                         GLenum dst_alpha);
 void logic_op(Context& context, GLenum opcode);
 void blend_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 void blend_equation(Context& context, GLenum mode);
+void blend_equation_separate(Context& context, GLenum mode_rgb, GLenum mode_alpha);
 
 // 4.2 Whole framebuffer operations
 void draw_buffer(Context& context, GLenum mode);

@@ -47,6 +47,13 @@ dmat4 matrix(const T* m) {
 }
 
 template <class T>
+dmat4 transposed_matrix(const T* m) {
+    dmat4 out(0);
+    for (int i = 0; i < 16; ++i) out[i % 4][i / 4] = finite(double(m[i]));
+    return out;
+}
+
+template <class T>
 Numbers numbers(GLsizei n, const T* values) {
     if (n < 0 || values == nullptr) n = 0;
     return std::make_shared<const std::vector<double>>(values, values + n);

@@ -5,7 +5,7 @@
 
 namespace gw::gl {
 
-enum class Kind : std::uint8_t { Vertex, State, Draw, Expand, Client, Now, Later };
+enum class Kind : std::uint8_t { Vertex, State, Draw, Expand, Client, Now };
 
 /// [GL11] 2.6.3: the functions that may stand between Begin and End.
 constexpr bool may_stand_inside(Kind kind) {

@@ -34,6 +34,7 @@ struct HostImage {
     std::span<const std::byte> bytes;
     /// Owns the bytes, so that a display list may keep them; null: they are in the caller's memory.
     std::shared_ptr<const std::vector<std::byte>> kept;
+    bool is_refused = false;  ///< an error was set: the call changes nothing
 
     bool is_given() const { return bytes.data() != nullptr; }
 };

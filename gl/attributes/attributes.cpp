@@ -55,7 +55,11 @@ void restore_textures(Context& context, const SavedAttributes& saved) {
 constexpr GLbitfield known_client_groups = GL_CLIENT_PIXEL_STORE_BIT | GL_CLIENT_VERTEX_ARRAY_BIT;
 
 void copy_client_groups(ClientState& to, const ClientState& from, GLbitfield mask) {
-    if (mask & GL_CLIENT_VERTEX_ARRAY_BIT) to.arrays = from.arrays;
+    if (mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
+        to.arrays = from.arrays;
+        to.array_buffer = from.array_buffer;
+        to.element_buffer = from.element_buffer;
+    }
     if (mask & GL_CLIENT_PIXEL_STORE_BIT) {
         to.pack = from.pack;
         to.unpack = from.unpack;

@@ -28,11 +28,19 @@ bool is_stencil_op(const Context& context, GLenum op) {
 }
 bool is_source_factor(const Context& context, GLenum factor) {
     const auto word = known_word<BlendFactor>(context, factor);
-    return word && is_source(*word);
+    return word && (is_source(*word) || context.profile.extensions.blend_square);
 }
 bool is_destination_factor(const Context& context, GLenum factor) {
     const auto word = known_word<BlendFactor>(context, factor);
-    return word && is_destination(*word);
+    if (word == BlendFactor::SrcAlphaSaturate) return false;
+    return word && (is_destination(*word) || context.profile.extensions.blend_square);
+}
+
+/// Whether alpha may blend by a rule of its own; else an error.
+bool may_separate(Context& context) {
+    if (context.profile.extensions.blend_separate) return true;
+    set_error(context, GL_INVALID_OPERATION);
+    return false;
 }
 
 vec4 clamped_value(const vec4& v, float low) {
@@ -99,10 +107,20 @@ void depth_func(Context& context, GLenum func) {
 }
 
 void blend_func(Context& context, GLenum sfactor, GLenum dfactor) {
-    if (!is_source_factor(context, sfactor) || !is_destination_factor(context, dfactor))
+    blend_func_separate(context, sfactor, dfactor, sfactor, dfactor);
+}
+
+void blend_func_separate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha,
+                         GLenum dst_alpha) {
+    if (!is_source_factor(context, src_rgb) || !is_destination_factor(context, dst_rgb) ||
+        !is_source_factor(context, src_alpha) || !is_destination_factor(context, dst_alpha))
         return set_error(context, GL_INVALID_ENUM);
-    change(context, context.state.color_buffer.blend_src, sfactor);
-    change(context, context.state.color_buffer.blend_dst, dfactor);
+    if ((src_rgb != src_alpha || dst_rgb != dst_alpha) && !may_separate(context)) return;
+    ColorBufferState& s = context.state.color_buffer;
+    change(context, s.blend_src, src_rgb);
+    change(context, s.blend_dst, dst_rgb);
+    change(context, s.blend_src_alpha, src_alpha);
+    change(context, s.blend_dst_alpha, dst_alpha);
 }
 
 void blend_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha) {
@@ -111,9 +129,15 @@ void blend_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, 
            clamped_value({red, green, blue, alpha}, 0));
 }
 
-void blend_equation(Context& context, GLenum mode) {
-    if (!known_word<gw::BlendEquation>(context, mode)) return set_error(context, GL_INVALID_ENUM);
-    change(context, context.state.color_buffer.blend_equation, mode);
+void blend_equation(Context& context, GLenum mode) { blend_equation_separate(context, mode, mode); }
+
+void blend_equation_separate(Context& context, GLenum mode_rgb, GLenum mode_alpha) {
+    if (!known_word<gw::BlendEquation>(context, mode_rgb) ||
+        !known_word<gw::BlendEquation>(context, mode_alpha))
+        return set_error(context, GL_INVALID_ENUM);
+    if (mode_rgb != mode_alpha && !may_separate(context)) return;
+    change(context, context.state.color_buffer.blend_equation, mode_rgb);
+    change(context, context.state.color_buffer.blend_equation_alpha, mode_alpha);
 }
 
 void logic_op(Context& context, GLenum opcode) {

@@ -12,7 +12,8 @@ namespace gw::gl {
 constinit thread_local Context* current = nullptr;
 
 void keep_call(Function function, const void* source) {
-    if (current != nullptr) current->calls.now = {current->calls.next++, function, source, nullptr};
+    if (Context* const context = bound_context())
+        context->calls.now = {context->calls.next++, function, source, nullptr};
 }
 
 Context::Context(const Profile& of, std::shared_ptr<Shared> with)

@@ -33,6 +33,7 @@ struct Shared {
     std::recursive_mutex mutex;
     ListNames lists;
     TextureNames textures;
+    BufferNames buffers;
 };
 
 /// An entry of the attribute stack: the groups of the state that PushAttrib copies. [GL11] 6.1.10

@@ -10,7 +10,18 @@ struct Context;
 /// Null: none. In the thread's static block, since every GL call reads it.
 [[gnu::tls_model("initial-exec")]] extern constinit thread_local Context* current;
 
-/// Sets CallTrace::now of the current context.
+/// The current context of the other library of ours in this process: a program may be linked with
+/// libGL.so.1 and draw with a context of libOSMesa.so.8, or look its functions up in the wrong one.
+/// Null: none, or the libraries are not of one build.
+Context* context_of_other_library();
+
+/// The context that GL's functions of this library use. Null: none.
+inline Context* bound_context() {
+    Context* const own = current;
+    return own != nullptr ? own : context_of_other_library();
+}
+
+/// Sets CallTrace::now of the context.
 void keep_call(Function function, const void* source);
 
 /// At the beginning of each entry point; `source` is its return address.

@@ -26,10 +26,20 @@ Wrap wrap(GLenum mode, const Profile& p) {
     return mode == GL_CLAMP && p.extensions.texture_border ? Wrap::BorderClamp : Wrap::Clamp;
 }
 
-/// Depths 2^-40 nearer to the middle: what is drawn on the near or far plane stays inside, although
-/// the matrix is rounded.
+/// Whether a float has more than 16 significant bits: it was probably rounded.
+bool may_be_rounded(double element) {
+    int exponent = 0;
+    const double scaled = std::frexp(element, &exponent) * 0x1p16;
+    return scaled != std::floor(scaled);
+}
+
+/// Depths nearer to the middle: what is drawn on the near or far plane stays inside, although the
+/// matrix is rounded to floats. 2^-22 holds three roundings.
 dmat4 with_room_for_rounding(dmat4 projection) {
-    for (int column = 0; column < 4; ++column) projection[column][2] *= 1 - 0x1p-40;
+    bool is_rounded = false;
+    for (int column = 0; column < 4; ++column) is_rounded |= may_be_rounded(projection[column][2]);
+    const double room = is_rounded ? 0x1p-22 : 0x1p-40;
+    for (int column = 0; column < 4; ++column) projection[column][2] *= 1 - room;
     return projection;
 }
 
@@ -37,7 +47,8 @@ void set_transform(gw::State& out, const Context& context) {
     const State& s = context.state;
     if (is_finite(context.matrices.projection.top()))
         out.projection = with_room_for_rounding(context.matrices.projection.top());
-    out.normalize = s.transform.normalize;
+    // [GL12] 2.10.3: rescaling may make each normal's length 1.
+    out.normalize = s.transform.normalize || s.transform.rescale_normal;
     if (!is_empty(s.viewport))
         out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
     out.depth_range = {s.viewport.near_value, s.viewport.far_value};
@@ -131,6 +142,14 @@ void set_fog(gw::State& out, const FogState& s) {
     out.fog.color = s.color;
 }
 
+gw::BlendAlphaState alpha_blend(const ColorBufferState& b) {
+    if (b.blend_src_alpha == b.blend_src && b.blend_dst_alpha == b.blend_dst &&
+        b.blend_equation_alpha == b.blend_equation)
+        return {};
+    return {true, word<BlendFactor>(b.blend_src_alpha), word<BlendFactor>(b.blend_dst_alpha),
+            word<BlendEquation>(b.blend_equation_alpha)};
+}
+
 void set_fragments(gw::State& out, const State& s, const Extensions& has) {
     out.scissor = {s.scissor.test, s.scissor.box};
     const ColorBufferState& b = s.color_buffer;
@@ -144,8 +163,12 @@ void set_fragments(gw::State& out, const State& s, const Extensions& has) {
     out.stencil.zpass = word<gw::StencilOp>(s.stencil.zpass);
     out.stencil.write_mask = s.stencil.write_mask;
     out.depth = {s.depth.test, word<CompareFunc>(s.depth.func), s.depth.mask};
-    out.blend = {b.blend, word<BlendFactor>(b.blend_src), word<BlendFactor>(b.blend_dst),
-                 word<BlendEquation>(b.blend_equation), b.blend_color};
+    out.blend = {b.blend,
+                 word<BlendFactor>(b.blend_src),
+                 word<BlendFactor>(b.blend_dst),
+                 word<BlendEquation>(b.blend_equation),
+                 b.blend_color,
+                 alpha_blend(b)};
     if (has.logic_op) out.logic_op = {b.logic_op, word<gw::LogicOp>(b.logic_op_mode)};
     out.color_mask = {b.mask[0], b.mask[1], b.mask[2], b.mask[3]};
 }

@@ -41,6 +41,15 @@ void read_machine(Settings& out, std::string_view value) {
     out.reference = value == "reference";
 }
 
+void read_version(Settings& out, std::string_view value) {
+    for (int version = first_version; version <= last_version; ++version)
+        if (value == "1." + std::to_string(version % 10)) {
+            out.version = version;
+            return;
+        }
+    report_ignored("GW_GL_VERSION", value, "expected 1.1, 1.2, 1.3, 1.4 or 1.5");
+}
+
 std::optional<std::uint64_t> frame_number(std::string_view digits) {
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -53,6 +62,7 @@ Settings read_settings() {
     if (const char* const value = std::getenv("GW_PROFILE")) read_profile(out, value);
     if (const char* const value = std::getenv("GW_THREADS")) read_threads(out, value);
     if (const char* const value = std::getenv("GW_MACHINE")) read_machine(out, value);
+    if (const char* const value = std::getenv("GW_GL_VERSION")) read_version(out, value);
     return out;
 }
 

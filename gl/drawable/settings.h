@@ -1,6 +1,8 @@
-// The user's environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE, GW_FRAMES. docs/opengl.md
+// The user's environment variables: GW_PROFILE, GW_THREADS, GW_MACHINE, GW_FRAMES,
+// GW_GL_VERSION. docs/opengl.md
 #pragma once
 
+#include "gl/api/offer.h"
 #include "gw/machine.h"
 #include "gw/profile.h"
 
@@ -15,6 +17,7 @@ struct Settings {
     Profile profile = opengl();  ///< GW_PROFILE: gw/profile_text.h
     int threads = 0;             ///< GW_THREADS; 0: all
     bool reference = false;      ///< GW_MACHINE: fast or reference
+    int version = last_version;  ///< GW_GL_VERSION: the doors hide what is newer
 };
 
 /// Read once. A variable whose value is wrong is ignored, and one line on stderr says so.

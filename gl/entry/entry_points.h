@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/api/kind.h"
+#include "gl/api/offer.h"
 
 #include <cstdint>
 #include <span>
@@ -13,17 +14,17 @@ struct EntryPoint {
     const char* name;  ///< "glBegin"
     Kind kind;
     Address address;
+    Offer offer;
 };
 
-/// The functions that exist, in the order of Function.
+/// The functions of the table, in the order of Function.
 std::span<const EntryPoint> entry_points();
-/// The functions of later versions.
-std::span<const EntryPoint> later_entry_points();
 
-/// The address of the function of this name; null if there is none.
+/// The address of the function of this name; null if there is none, or if the user's version and
+/// profile do not offer it.
 Address find_entry_point(const char* name);
 
-/// What a function of a later version does: INVALID_OPERATION, and returns 0.
-std::intptr_t later();
+/// What a function that is not offered does: INVALID_OPERATION, and returns 0.
+std::intptr_t not_offered();
 
 }  // namespace gw::gl

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Makes C++ from the table of OpenGL's entry points: generate.py functions.txt linked.txt FOLDER
 
-FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp and
-FOLDER/later.cpp define them and the tables behind gl/entry/entry_points.h. FOLDER/names.inc has a
-line GW_GL_FUNCTION(Begin) for each that <GL/gl.h> declares, for tests.
+FOLDER/functions.h numbers them, FOLDER/function_names.h names them, FOLDER/entry_points.cpp defines
+them and the table behind gl/entry/entry_points.h. FOLDER/linked.cpp defines those that are not
+offered. For tests, FOLDER/names.inc has a line GW_GL_FUNCTION(Begin) for each function of the
+table, FOLDER/linked.inc a line GW_GL_LINKED(UseProgram) for each that is not offered.
 """
 import re
 import sys
@@ -15,9 +16,10 @@ KINDS = {
     "expand": "Expand",
     "client": "Client",
     "now": "Now",
-    "later": "Later",
 }
 LINE = re.compile(r"(\w+)\s+(.*?)\s*\b(\w+)\((.*?)\)(?:\s*=\s*(\w+)\((.*)\))?$")
+SINCE = re.compile(r"since\s+(\d)\.(\d)(?:\s+(\w+))?$")
+ALIAS = re.compile(r"alias\s+(\w+)\s+(\w+)$")
 
 
 def fail(path, number, what):
@@ -30,20 +32,45 @@ def snake_case(name):
     return re.sub(r"(?<=[a-z])(\dD)$", r"_\1", words).lower()
 
 
+class Entry:
+    """A function, its call, and since when it is offered."""
+
+    def __init__(self, kind, result, name, parameters, call, arguments, since):
+        self.kind, self.result, self.name = kind, result, name
+        self.parameters, self.since = parameters, since
+        self.call, self.arguments = call, arguments
+        if call is None:
+            self.call = snake_case(name)
+            self.arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
+
+    def named(self, name, since):
+        return Entry(self.kind, self.result, name, self.parameters, self.call, self.arguments, since)
+
+
 def entries(path):
+    since = None
+    known = {}
     with open(path, encoding="utf-8") as file:
         for number, line in enumerate(file, 1):
             line = line.strip()
             if not line or line.startswith("#"):
                 continue
-            words = line.split()
-            if words[0] == "later" and len(words) == 2:
-                yield "later", "void", words[1], "", None, None
+            if match := SINCE.match(line):
+                since = match.groups()
                 continue
-            match = LINE.match(line)
-            if not match or match[1] not in KINDS:
-                fail(path, number, f"'{line}'; expected kind, prototype and perhaps = call")
-            yield match.groups()
+            if match := ALIAS.match(line):
+                if match[2] not in known:
+                    fail(path, number, f"alias of '{match[2]}'; expected a function above it")
+                entry = known[match[2]].named(match[1], since)
+            else:
+                match = LINE.match(line)
+                if not match or match[1] not in KINDS:
+                    fail(path, number, f"'{line}'; expected kind, prototype and perhaps = call")
+                entry = Entry(*match.groups(), since)
+            if since is None:
+                fail(path, number, "a function before the first line 'since'")
+            known[entry.name] = entry
+            yield entry
 
 
 def declared(parameter, arguments):
@@ -52,18 +79,15 @@ def declared(parameter, arguments):
     return parameter if re.search(rf"\b{name}\b", arguments) else f"[[maybe_unused]] {parameter}"
 
 
-def function(kind, result, name, parameters, call, arguments):
-    if call is None:
-        call = snake_case(name)
-        arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
-    parameters = ", ".join(declared(p.strip(), arguments) for p in parameters.split(",")
-                           if p.strip())
-    separator = ", " if arguments else ""
-    returned = "" if result == "void" else "return "
-    return (f"{result} GLAPIENTRY gl{name}({parameters}) {{\n"
-            f"    number_call(Function::{name}, __builtin_return_address(0));\n"
-            f"    {returned}call<Kind::{KINDS[kind]}, execute::{call}>"
-            f"(Function::{name}{separator}{arguments});\n}}")
+def function(entry):
+    parameters = ", ".join(declared(p.strip(), entry.arguments)
+                           for p in entry.parameters.split(",") if p.strip())
+    separator = ", " if entry.arguments else ""
+    returned = "" if entry.result == "void" else "return "
+    return (f"{entry.result} GLAPIENTRY gl{entry.name}({parameters}) {{\n"
+            f"    number_call(Function::{entry.name}, __builtin_return_address(0));\n"
+            f"    {returned}call<Kind::{KINDS[entry.kind]}, execute::{entry.call}>"
+            f"(Function::{entry.name}{separator}{entry.arguments});\n}}")
 
 
 def functions_header(names):
@@ -78,12 +102,16 @@ def names_header(names):
             *(f'    "gl{name}",' for name in names), "};", "}  // namespace gw::gl"]
 
 
-def table(function_name, rows):
-    return ["namespace gw::gl {", f"std::span<const EntryPoint> {function_name}() {{",
+def offer(entry):
+    major, minor, feature = entry.since
+    return f"{{{major}{minor}, {'&Extensions::' + feature if feature else 'nullptr'}}}"
+
+
+def table(rows):
+    return ["namespace gw::gl {", "std::span<const EntryPoint> entry_points() {",
             "    static const EntryPoint table[] = {",
-            *(f'        {{"gl{row[2]}", Kind::{KINDS[row[0]]}, '
-              f'reinterpret_cast<Address>(&gl{row[2]})}},'
-              for row in rows),
+            *(f'        {{"gl{row.name}", Kind::{KINDS[row.kind]}, '
+              f'reinterpret_cast<Address>(&gl{row.name}), {offer(row)}}},' for row in rows),
             "    };", "    return table;", "}", "}  // namespace gw::gl"]
 
 
@@ -96,7 +124,7 @@ def exported(definitions):
 def definitions(rows):
     return ['#include "gl/lists/call.h"', '#include "gl/api/convert.h"',
             '#include "gl/entry/entry_points.h"', "using namespace gw::gl;",
-            *exported(function(*row) for row in rows), *table("entry_points", rows)]
+            *exported(function(row) for row in rows), *table(rows)]
 
 
 def linked_names(path):
@@ -104,29 +132,26 @@ def linked_names(path):
         return [name for line in file if not line.startswith("#") for name in line.split()]
 
 
-def later_definitions(rows, linked):
+def linked_definitions(names):
     """Their arguments are not read, so that their prototypes are not needed: <GL/gl.h> is left
     out."""
-    names = [row[2] for row in rows] + linked
     return ['#include "gl/entry/entry_points.h"',
-            *exported(f"std::intptr_t gl{name}() {{ return gw::gl::later(); }}" for name in names),
-            *table("later_entry_points", rows)]
+            *exported(f"std::intptr_t gl{name}() {{ return gw::gl::not_offered(); }}"
+                      for name in names)]
 
 
 def main():
     path, linked_path, folder = sys.argv[1:]
     rows, linked = list(entries(path)), linked_names(linked_path)
-    names = [row[2] for row in rows] + linked
-    for name in sorted({n for n in names if names.count(n) > 1}):
+    names = [row.name for row in rows]
+    for name in sorted({n for n in names + linked if (names + linked).count(n) > 1}):
         sys.exit(f"{path}: {name} stands twice")
-    later = [row for row in rows if row[0] == "later"]
-    known = [row for row in rows if row[0] != "later"]
-    for name, lines in (("functions.h", functions_header([row[2] for row in known])),
-                        ("names.inc", [f"GW_GL_FUNCTION({row[2]})" for row in known
-                                       if not row[2].endswith(("EXT", "ARB"))]),
-                        ("function_names.h", names_header([row[2] for row in known])),
-                        ("entry_points.cpp", definitions(known)),
-                        ("later.cpp", later_definitions(later, linked))):
+    for name, lines in (("functions.h", functions_header(names)),
+                        ("names.inc", [f"GW_GL_FUNCTION({name})" for name in names]),
+                        ("linked.inc", [f"GW_GL_LINKED({name})" for name in linked]),
+                        ("function_names.h", names_header(names)),
+                        ("entry_points.cpp", definitions(rows)),
+                        ("linked.cpp", linked_definitions(linked))):
         with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
             file.write("\n".join(["// Made from gl/entry/functions.txt by gl/entry/generate.py.",
                                   *lines]) + "\n")

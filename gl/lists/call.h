@@ -45,7 +45,7 @@ struct Caller<kind, execute, Result (*)(Context&, Values...)> {
 
 private:
     static Result run(Function function, const std::decay_t<Values>&... values) {
-        Context* const bound = current;
+        Context* const bound = bound_context();
         if (bound == nullptr) return Result();
         Context& context = *bound;
         if constexpr (is_listed(kind)) {

@@ -207,7 +207,7 @@ void bitmap(Context& context, GLsizei width, GLsizei height, float xorig, float 
             float ymove, const HostImage& image) {
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
     CurrentState::Raster& raster = context.state.current.raster;
-    if (!raster.valid) return;
+    if (!raster.valid || image.is_refused) return;
     if (is_drawn(context, GL_BITMAP_TOKEN) && image.is_given()) {
         gw::DrawPixels out = rectangle(context, width, height);
         out.raster.x = std::floor(raster.position.x - finite(double(xorig)));

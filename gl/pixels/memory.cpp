@@ -99,18 +99,48 @@ void copy_to_memory(void* memory, const PixelStore& store, GLsizei width, GLsize
     }
 }
 
+std::byte* values_memory(Context& context, const PixelStore& store, std::size_t count,
+                         std::size_t size, const void* pointer) {
+    if (store.buffer) {
+        const auto offset = reinterpret_cast<std::size_t>(pointer);
+        if (store.buffer->is_mapped || offset % size != 0 ||
+            !store.buffer->holds(offset, count * size))
+            return set_error(context, GL_INVALID_OPERATION), nullptr;
+    }
+    return const_cast<std::byte*>(bytes_at(store.buffer, pointer));
+}
+
+std::byte* image_memory(Context& context, const PixelStore& store, GLsizei width, GLsizei height,
+                        GLenum format, GLenum type, const void* pointer) {
+    if (!store.buffer) return static_cast<std::byte*>(const_cast<void*>(pointer));
+    const std::size_t row = memory_row(store, width, format, type);
+    const std::size_t last =
+        type == GL_BITMAP ? (std::size_t(width) + 7 + 7) / 8 : row_bytes(width, format, type);
+    const std::size_t end = height == 0 || width == 0 ? 0
+                                                      : skipped_bytes(store, row, format, type) +
+                                                            std::size_t(height - 1) * row + last;
+    const std::size_t size = type == GL_BITMAP ? 1 : component_bytes(type);
+    return values_memory(context, store, (end + size - 1) / size, size, pointer);
+}
+
 HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, const GLvoid* pixels) {
-    if (current == nullptr || pixels == nullptr || width <= 0 || height <= 0) return {};
+    Context* const context = bound_context();
+    if (context == nullptr || width <= 0 || height <= 0) return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
+    const HostImage refused{.is_refused = true};
     if (row_bytes(width, format, type) > std::size_t(PTRDIFF_MAX) / std::size_t(height))
-        return set_error(*current, GL_OUT_OF_MEMORY), HostImage{};
-    const PixelStore& store = current->client.unpack;
-    return guarded(*current, [&]() -> HostImage {
+        return set_error(*context, GL_OUT_OF_MEMORY), refused;
+    const PixelStore& store = context->client.unpack;
+    if (pixels == nullptr && !store.buffer) return {};
+    const auto lock = context->shared->exclusive();
+    pixels = image_memory(*context, store, width, height, format, type, pixels);
+    if (pixels == nullptr) return refused;
+    return guarded(*context, [&]() -> HostImage {
         std::optional<std::span<const std::byte>> rows;
         if (const auto first = rows_in_memory(store, width, format, type))
             rows.emplace(static_cast<const std::byte*>(pixels) + *first,
                          row_bytes(width, format, type) * std::size_t(height));
-        if (rows && !current->lists.open) return {*rows, nullptr};
+        if (rows && !context->lists.open && !store.buffer) return {*rows, nullptr};
         auto kept = std::make_shared<const std::vector<std::byte>>(
             rows ? std::vector(rows->begin(), rows->end())
                  : copy_from_memory(store, width, height, format, type, pixels));
@@ -129,6 +159,8 @@ Stipple stipple(const GLubyte* mask) {
     Stipple out;
     out.fill(~0u);
     const HostImage image = unpack(32, 32, GL_COLOR_INDEX, GL_BITMAP, mask);
+    if (image.is_refused)  // the pattern stays
+        if (const auto& pattern = bound_context()->state.polygon_stipple.pattern) return *pattern;
     if (!image.is_given()) return out;
     for (std::size_t y = 0; y < 32; ++y) {
         out[y] = 0;

@@ -12,6 +12,17 @@
 
 namespace gw::gl {
 
+struct Context;
+
+/// The memory of an image that a call packs into or unpacks from: the caller's, or the part of the
+/// bound buffer that begins at the pointer's offset. Null: there is none, or it does not fit the
+/// buffer, and INVALID_OPERATION is set. GL_ARB_pixel_buffer_object
+std::byte* image_memory(Context& context, const PixelStore& store, GLsizei width, GLsizei height,
+                        GLenum format, GLenum type, const void* pointer);
+/// The same of `count` values that no PixelStore lays out.
+std::byte* values_memory(Context& context, const PixelStore& store, std::size_t count,
+                         std::size_t size, const void* pointer);
+
 /// Where an image begins in the caller's memory, in bytes, if its rows lie there as
 /// copy_from_memory() gives them.
 std::optional<std::size_t> rows_in_memory(const PixelStore& store, GLsizei width, GLenum format,

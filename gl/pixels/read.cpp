@@ -154,7 +154,12 @@ void read_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heig
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
     if (format == GL_COLOR_INDEX) return set_error(context, GL_INVALID_OPERATION);
-    if (context.read_drawable == nullptr || pixels == nullptr || width == 0 || height == 0) return;
+    if (context.read_drawable == nullptr || width == 0 || height == 0) return;
+    const PixelStore& store = context.client.pack;
+    const auto lock =
+        store.buffer ? context.shared->exclusive() : std::unique_lock<std::recursive_mutex>{};
+    pixels = image_memory(context, store, width, height, format, type, pixels);
+    if (pixels == nullptr) return;
     flush_mesh(context);
     const Rect rect{x, y, width, height};
     if (is_read_as_bytes(context, format, type))

@@ -2,7 +2,9 @@
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
+#include "gl/context/current.h"
 #include "gl/draw/submit.h"
+#include "gl/pixels/memory.h"
 
 #include <algorithm>
 #include <bit>
@@ -21,7 +23,12 @@ bool holds_indices(GLenum map) { return map == GL_PIXEL_MAP_I_TO_I || map == GL_
 template <class T>
 Numbers map_numbers(GLenum map, GLsizei size, const T* values) {
     auto out = std::make_shared<std::vector<double>>();
-    if (!is_map(map) || values == nullptr || size < 1 || size > max_pixel_map) return out;
+    Context* const context = bound_context();
+    if (context == nullptr || !is_map(map) || size < 1 || size > max_pixel_map) return out;
+    const auto lock = context->shared->exclusive();
+    values = reinterpret_cast<const T*>(
+        values_memory(*context, context->client.unpack, std::size_t(size), sizeof(T), values));
+    if (values == nullptr) return out;
     for (GLsizei i = 0; i < size; ++i)
         out->push_back(std::is_integral_v<T> && !holds_indices(map) ? unit(values[i])
                                                                     : double(values[i]));

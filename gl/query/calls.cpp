@@ -156,8 +156,13 @@ void get_pixel_map(Context& context, GLenum map, T* values) {
     const GLenum type = std::is_same_v<T, GLfloat>    ? GL_FLOAT
                         : std::is_same_v<T, GLushort> ? GL_UNSIGNED_SHORT
                                                       : GL_UNSIGNED_INT;
-    for (const float v : context.pixel_maps[map])
-        store_component(type, reinterpret_cast<std::byte*>(values++), double(v), is_index);
+    const auto& table = context.pixel_maps[map];
+    std::byte* at = values_memory(context, context.client.pack, table.size(), sizeof(T), values);
+    if (at == nullptr) return;
+    for (const float v : table) {
+        store_component(type, at, double(v), is_index);
+        at += sizeof(T);
+    }
 }
 
 template <class T>
@@ -264,7 +269,10 @@ void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, 
     if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
     const TextureImage& image = context.textures.bound[*index]->levels[std::size_t(level)];
-    if (image.width == 0 || pixels == nullptr) return;
+    if (image.width == 0) return;
+    pixels =
+        image_memory(context, context.client.pack, image.width, image.height, format, type, pixels);
+    if (pixels == nullptr) return;
     // [GL11] 6.1.4: no pixel transfer. Luminance is R, not the sum that ReadPixels makes.
     const bool is_luminance = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
     std::vector<vec4> colors;
@@ -299,13 +307,15 @@ void get_mapiv(Context& context, GLenum target, GLenum query, GLint* v) {
 }
 
 void get_polygon_stipple(Context& context, GLubyte* mask) {
-    if (mask == nullptr) return;
+    auto* const memory =
+        image_memory(context, context.client.pack, 32, 32, GL_COLOR_INDEX, GL_BITMAP, mask);
+    if (memory == nullptr) return;
     std::array<std::byte, 128> rows;
     rows.fill(std::byte{0xFF});
     if (const auto& pattern = context.state.polygon_stipple.pattern)
         for (std::size_t i = 0; i < rows.size(); ++i)
             rows[i] = std::byte((*pattern)[i / 4] >> (24 - 8 * (i % 4)) & 0xFF);
-    copy_to_memory(mask, context.client.pack, 32, 32, GL_COLOR_INDEX, GL_BITMAP, rows);
+    copy_to_memory(memory, context.client.pack, 32, 32, GL_COLOR_INDEX, GL_BITMAP, rows);
 }
 
 void get_pointerv(Context& context, GLenum pname, GLvoid** params) {

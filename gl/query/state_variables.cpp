@@ -1,4 +1,5 @@
 // Every state variable that the functions Get.. answer, in one table. [GL11] tables 6.5 to 6.22
+#include "gl/query/limits.h"
 #include "gl/query/values.h"
 
 #include "gl/attributes/attributes.h"
@@ -12,8 +13,7 @@ namespace gw::gl {
 
 namespace {
 
-using Getter = QueryValues (*)(Context&);
-using Table = std::map<GLenum, Getter>;
+using Table = StateVariables;
 
 void add_current(Table& t) {
     t[GL_CURRENT_COLOR] = [](Context& context) { return units(context.state.current.color); };
@@ -44,7 +44,8 @@ void add_current(Table& t) {
 }
 
 template <Array array>
-void add_array(Table& t, GLenum size, GLenum type, GLenum stride) {
+void add_array(Table& t, GLenum size, GLenum type, GLenum stride, GLenum buffer) {
+    t[buffer] = [](Context& context) { return whole(name_of(context.client.array(array).buffer)); };
     if (size != 0)
         t[size] = [](Context& context) { return whole(context.client.array(array).size); };
     if (type != 0)
@@ -53,13 +54,25 @@ void add_array(Table& t, GLenum size, GLenum type, GLenum stride) {
 }
 
 void add_arrays(Table& t) {
-    add_array<Array::Vertex>(t, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE);
-    add_array<Array::Normal>(t, 0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE);
-    add_array<Array::Color>(t, GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE);
-    add_array<Array::Index>(t, 0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE);
+    add_array<Array::Vertex>(t, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE,
+                             GL_VERTEX_ARRAY_BUFFER_BINDING);
+    add_array<Array::Normal>(t, 0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE,
+                             GL_NORMAL_ARRAY_BUFFER_BINDING);
+    add_array<Array::Color>(t, GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE,
+                            GL_COLOR_ARRAY_BUFFER_BINDING);
+    add_array<Array::Index>(t, 0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE,
+                            GL_INDEX_ARRAY_BUFFER_BINDING);
     add_array<Array::TexCoord>(t, GL_TEXTURE_COORD_ARRAY_SIZE, GL_TEXTURE_COORD_ARRAY_TYPE,
-                               GL_TEXTURE_COORD_ARRAY_STRIDE);
-    add_array<Array::EdgeFlag>(t, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE);
+                               GL_TEXTURE_COORD_ARRAY_STRIDE,
+                               GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING);
+    add_array<Array::EdgeFlag>(t, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE,
+                               GL_EDGE_FLAG_ARRAY_BUFFER_BINDING);
+    t[GL_ARRAY_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.client.array_buffer));
+    };
+    t[GL_ELEMENT_ARRAY_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.client.element_buffer));
+    };
 }
 
 void add_transform(Table& t) {
@@ -71,6 +84,15 @@ void add_transform(Table& t) {
     };
     t[GL_TEXTURE_MATRIX] = [](Context& context) {
         return numbers_of(context.matrices.texture.top());
+    };
+    t[GL_TRANSPOSE_MODELVIEW_MATRIX] = [](Context& context) {
+        return numbers_of(glm::transpose(context.matrices.modelview.top()));
+    };
+    t[GL_TRANSPOSE_PROJECTION_MATRIX] = [](Context& context) {
+        return numbers_of(glm::transpose(context.matrices.projection.top()));
+    };
+    t[GL_TRANSPOSE_TEXTURE_MATRIX] = [](Context& context) {
+        return numbers_of(glm::transpose(context.matrices.texture.top()));
     };
     t[GL_MODELVIEW_STACK_DEPTH] = [](Context& context) {
         return whole(context.matrices.modelview.entries.size());
@@ -173,6 +195,17 @@ void add_fragments(Table& t) {
     t[GL_BLEND_EQUATION] = [](Context& context) {
         return whole(context.state.color_buffer.blend_equation);
     };
+    t[GL_BLEND_SRC_RGB] = t[GL_BLEND_SRC];
+    t[GL_BLEND_DST_RGB] = t[GL_BLEND_DST];
+    t[GL_BLEND_SRC_ALPHA] = [](Context& context) {
+        return whole(context.state.color_buffer.blend_src_alpha);
+    };
+    t[GL_BLEND_DST_ALPHA] = [](Context& context) {
+        return whole(context.state.color_buffer.blend_dst_alpha);
+    };
+    t[GL_BLEND_EQUATION_ALPHA] = [](Context& context) {
+        return whole(context.state.color_buffer.blend_equation_alpha);
+    };
     t[GL_BLEND_COLOR] = [](Context& context) {
         return units(context.state.color_buffer.blend_color);
     };
@@ -227,6 +260,12 @@ void add_map_size(Table& t) {
 void add_pixels(Table& t) {
     add_store(t, GL_UNPACK_SWAP_BYTES, [](Context& context) { return context.client.unpack; });
     add_store(t, GL_PACK_SWAP_BYTES, [](Context& context) { return context.client.pack; });
+    t[GL_PIXEL_PACK_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.client.pack.buffer));
+    };
+    t[GL_PIXEL_UNPACK_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.client.unpack.buffer));
+    };
     t[GL_MAP_COLOR] = [](Context& context) { return whole(context.state.pixel.map_color); };
     t[GL_MAP_STENCIL] = [](Context& context) { return whole(context.state.pixel.map_stencil); };
     t[GL_INDEX_SHIFT] = [](Context& context) { return whole(context.state.pixel.index_shift); };
@@ -275,51 +314,6 @@ void add_hints(Table& t) {
         return whole(context.state.hint.polygon_smooth);
     };
     t[GL_FOG_HINT] = [](Context& context) { return whole(context.state.hint.fog); };
-}
-
-/// The step of sizes and widths with antialiasing.
-double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x1p-11 : 1; }
-
-void add_limits(Table& t) {
-    t[GL_MAX_ELEMENTS_INDICES] = [](Context&) { return whole(1 << 16); };
-    t[GL_MAX_ELEMENTS_VERTICES] = [](Context&) { return whole(1 << 16); };
-    t[GL_MAX_LIGHTS] = [](Context&) { return whole(light_count); };
-    t[GL_MAX_CLIP_PLANES] = [](Context&) { return whole(max_clip_planes); };
-    t[GL_MAX_MODELVIEW_STACK_DEPTH] = [](Context&) { return whole(modelview_stack_depth); };
-    t[GL_MAX_PROJECTION_STACK_DEPTH] = [](Context&) { return whole(projection_stack_depth); };
-    t[GL_MAX_TEXTURE_STACK_DEPTH] = [](Context&) { return whole(texture_stack_depth); };
-    t[GL_MAX_TEXTURE_SIZE] = [](Context&) { return whole(max_texture_size); };
-    t[GL_MAX_PIXEL_MAP_TABLE] = [](Context&) { return whole(max_pixel_map); };
-    t[GL_MAX_NAME_STACK_DEPTH] = [](Context&) { return whole(name_stack_depth); };
-    t[GL_MAX_LIST_NESTING] = [](Context&) { return whole(max_list_nesting); };
-    t[GL_MAX_EVAL_ORDER] = [](Context&) { return whole(max_eval_order); };
-    t[GL_MAX_VIEWPORT_DIMS] = [](Context&) { return wholes(max_window_size, max_window_size); };
-    t[GL_MAX_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(attribute_stack_depth); };
-    t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
-    t[GL_SUBPIXEL_BITS] = [](Context& context) { return whole(context.profile.subpixel_bits); };
-    t[GL_POINT_SIZE_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_POINT_SIZE_GRANULARITY] = [](Context& context) {
-        return number(size_step(context.profile));
-    };
-    t[GL_LINE_WIDTH_RANGE] = [](Context&) { return numbers_of(1, 128); };
-    t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
-        return number(size_step(context.profile));
-    };
-    t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
-    t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };
-    t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };
-    t[GL_STEREO] = [](Context&) { return whole(GL_FALSE); };
-    t[GL_DOUBLEBUFFER] = [](Context& context) {
-        return whole(context.drawable != nullptr && context.drawable->is_double_buffered());
-    };
-    for (const GLenum name : {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS})
-        t[name] = [](Context& context) { return whole(context.profile.color_bits); };
-    t[GL_INDEX_BITS] = [](Context&) { return whole(0); };
-    t[GL_DEPTH_BITS] = [](Context& context) { return whole(context.profile.depth_bits); };
-    t[GL_STENCIL_BITS] = [](Context& context) { return whole(context.profile.stencil_bits); };
-    for (const GLenum name :
-         {GL_ACCUM_RED_BITS, GL_ACCUM_GREEN_BITS, GL_ACCUM_BLUE_BITS, GL_ACCUM_ALPHA_BITS})
-        t[name] = [](Context& context) { return whole(context.profile.accum_bits); };
 }
 
 void add_stacks(Table& t) {

@@ -1,5 +1,8 @@
 #include "gl/query/strings.h"
 
+#include "gl/api/offer.h"
+#include "gl/drawable/settings.h"
+
 #include <map>
 #include <mutex>
 #include <string>
@@ -8,22 +11,44 @@ namespace gw::gl {
 
 namespace {
 
-/// The extensions that every machine has, and those of the profile.
-std::string extensions(const Profile& profile) {
-    std::string names =
-        "GL_ARB_window_pos GL_EXT_copy_texture GL_EXT_draw_range_elements "
-        "GL_EXT_packed_depth_stencil GL_EXT_packed_pixels GL_EXT_subtexture GL_EXT_texture "
-        "GL_EXT_texture_object GL_EXT_vertex_array GL_SGIS_texture_edge_clamp";
-    const auto add = [&](bool has, const char* name) {
-        if (has) names.append(" ").append(name);
-    };
-    const Extensions& has = profile.extensions;
-    add(true, "GL_EXT_bgra");
-    add(has.polygon_offset, "GL_EXT_polygon_offset");
-    add(has.blend_color, "GL_EXT_blend_color");
-    add(has.blend_minmax, "GL_EXT_blend_minmax");
-    add(has.blend_subtract, "GL_EXT_blend_subtract");
-    add(has.stencil_wrap, "GL_EXT_stencil_wrap");
+struct NamedExtension {
+    const char* name;
+    Offer offer;
+};
+/// The extensions, each with the version of OpenGL that has it. Those of 1.1 are of its time, or have
+/// always been here.
+constexpr NamedExtension named_extensions[] = {
+    {"GL_ARB_window_pos", {11, nullptr}},
+    {"GL_EXT_copy_texture", {11, nullptr}},
+    {"GL_EXT_draw_range_elements", {11, nullptr}},
+    {"GL_EXT_packed_depth_stencil", {11, nullptr}},
+    {"GL_EXT_packed_pixels", {11, nullptr}},
+    {"GL_EXT_subtexture", {11, nullptr}},
+    {"GL_EXT_texture", {11, nullptr}},
+    {"GL_EXT_texture_object", {11, nullptr}},
+    {"GL_EXT_vertex_array", {11, nullptr}},
+    {"GL_SGIS_texture_edge_clamp", {11, nullptr}},
+    {"GL_EXT_bgra", {11, nullptr}},
+    {"GL_EXT_polygon_offset", {11, &Extensions::polygon_offset}},
+    {"GL_EXT_blend_color", {11, &Extensions::blend_color}},
+    {"GL_EXT_blend_minmax", {11, &Extensions::blend_minmax}},
+    {"GL_EXT_blend_subtract", {11, &Extensions::blend_subtract}},
+    {"GL_EXT_stencil_wrap", {11, &Extensions::stencil_wrap}},
+    {"GL_EXT_rescale_normal", {12, nullptr}},
+    {"GL_ARB_transpose_matrix", {13, nullptr}},
+    {"GL_EXT_multi_draw_arrays", {14, nullptr}},
+    {"GL_EXT_blend_func_separate", {14, &Extensions::blend_separate}},
+    {"GL_NV_blend_square", {14, &Extensions::blend_square}},
+    {"GL_ARB_vertex_buffer_object", {15, nullptr}},
+    {"GL_ARB_pixel_buffer_object", {15, nullptr}},
+    {"GL_EXT_blend_equation_separate", {15, &Extensions::blend_separate}},
+};
+
+std::string extensions(const Profile& profile, int version) {
+    std::string names;
+    for (const NamedExtension& extension : named_extensions)
+        if (is_offered(extension.offer, profile, version))
+            names.append(names.empty() ? "" : " ").append(extension.name);
     return names;
 }
 
@@ -41,7 +66,10 @@ const char* implementation_string(const Profile& profile, GLenum name) {
         case GL_RENDERER:
             return keep("renderer " + profile.name, "GW " + profile.name + ", exact to the bit");
         case GL_VERSION: return "1.1";
-        case GL_EXTENSIONS: return keep("extensions " + profile.name, extensions(profile));
+        case GL_EXTENSIONS: {
+            const std::string names = extensions(profile, settings().version);
+            return keep(names, names);
+        }
     }
     return nullptr;
 }

@@ -23,6 +23,7 @@ std::vector<Capability> make_capabilities() {
         {GL_LIGHTING, [](State& s, int) -> bool& { return s.lighting.enable; }},
         {GL_COLOR_MATERIAL, [](State& s, int) -> bool& { return s.lighting.color_material; }},
         {GL_NORMALIZE, [](State& s, int) -> bool& { return s.transform.normalize; }},
+        {GL_RESCALE_NORMAL, [](State& s, int) -> bool& { return s.transform.rescale_normal; }},
         {GL_FOG, [](State& s, int) -> bool& { return s.fog.enable; }},
         {GL_DEPTH_TEST, [](State& s, int) -> bool& { return s.depth.test; }},
         {GL_STENCIL_TEST, [](State& s, int) -> bool& { return s.stencil.test; }},

@@ -1,6 +1,8 @@
 // The client's state: vertex arrays and pixel storage. [GL11] 2.8, 3.6.1
 #pragma once
 
+#include "gl/state/buffer_objects.h"
+
 #include <GL/gl.h>
 
 #include <array>
@@ -14,24 +16,33 @@ struct PixelStore {
     GLint row_length = 0;  ///< pixels; 0: the width
     GLint skip_rows = 0, skip_pixels = 0;
     GLint alignment = 4;  ///< of rows: 1, 2, 4, 8 bytes
+    BufferRef buffer;     ///< in which pointers to pixels are offsets; null: none
 };
 
 /// The arrays, in the order in which ArrayElement sends their values: the vertex last.
 enum class Array : unsigned char { EdgeFlag, TexCoord, Color, Index, Normal, Vertex };
 inline constexpr std::size_t array_count = 6;
 
-/// One vertex array, in the caller's memory.
+/// One vertex array, in the caller's memory or in a buffer.
 struct ClientArray {
     bool enable = false;
     GLint size = 4;
     GLenum type = GL_FLOAT;
     GLsizei stride = 0;  ///< as given; 0: the elements follow each other
     const unsigned char* pointer = nullptr;
+    BufferRef buffer;  ///< in which the pointer is an offset; null: none
+
+    bool is_given() const { return enable && (buffer || pointer != nullptr); }
+    const unsigned char* bytes() const {
+        return reinterpret_cast<const unsigned char*>(bytes_at(buffer, pointer));
+    }
 };
 
 struct ClientState {
     std::array<ClientArray, array_count> arrays{
         {{.size = 1, .type = GL_UNSIGNED_BYTE}, {}, {}, {.size = 1}, {.size = 3}, {}}};
+    BufferRef array_buffer;    ///< of the arrays that are set next
+    BufferRef element_buffer;  ///< of indices
     PixelStore pack, unpack;
 
     ClientArray& array(Array a) { return arrays[std::size_t(a)]; }

@@ -170,7 +170,7 @@ struct TransformState {
     GLenum matrix_mode = GL_MODELVIEW;
     std::array<bool, 6> clip_enable{};
     std::array<dvec4, 6> clip_plane{};  ///< in eye space
-    bool normalize = false;
+    bool normalize = false, rescale_normal = false;
 };
 
 /// GL_COLOR_BUFFER_BIT
@@ -181,6 +181,8 @@ struct ColorBufferState {
     bool blend = false;
     GLenum blend_src = GL_ONE, blend_dst = GL_ZERO;
     GLenum blend_equation = GL_FUNC_ADD;
+    GLenum blend_src_alpha = GL_ONE, blend_dst_alpha = GL_ZERO;
+    GLenum blend_equation_alpha = GL_FUNC_ADD;
     vec4 blend_color{0, 0, 0, 0};
     bool dither = true;
     bool logic_op = false, index_logic_op = false;

@@ -99,6 +99,7 @@ void tex_image(Context& context, GLenum target, const Request& r, GLenum format,
     const GLenum error = request_error(r, place->index);
     if (place->is_proxy) return set_proxy(context, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(context, error);
+    if (host.is_refused) return;
     TextureImage image = black_image(r);
     if (host.is_given())
         store_host_rgba(context, r.width, r.height, format, type, host, texel_bits,

@@ -1,4 +1,4 @@
-// Vertex arrays. [GL11] 2.8. The elements of a draw become vertices without a change of the current
+// Elements of vertex arrays. [GL11] 2.8, [GL15] 2.9. The elements of a draw become vertices without a change of the current
 // values. The specification leaves them open; programs draw on without setting them again. Elements
 // of ArrayElement, and all elements while a list is open, become calls of immediate mode.
 #include "gl/api/calls.h"
@@ -7,7 +7,7 @@
 #include "gl/context/context.h"
 #include "gl/lists/call.h"
 #include "gl/pixels/formats.h"
-#include "gl/pixels/packed.h"
+#include "gl/vertices/array_types.h"
 #include "gl/vertices/begin_end.h"
 
 #include <algorithm>
@@ -20,18 +20,12 @@ namespace gw::gl {
 
 namespace {
 
-/// The bytes of a component; 0: no type of an array.
-std::size_t bytes_of(GLenum type) {
-    if (packed_type(type) != nullptr) return 0;
-    return type == GL_DOUBLE ? 8 : component_bytes(type);
-}
-
 /// Element i of an array; components that it does not have are (0, 0, 1).
 vec4 element(const ClientArray& a, GLint i, bool is_unit) {
     vec4 out{0, 0, 0, 1};
-    const std::size_t bytes = a.type == GL_FLOAT ? sizeof(float) : bytes_of(a.type);
+    const std::size_t bytes = a.type == GL_FLOAT ? sizeof(float) : array_component_bytes(a.type);
     const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes * std::size_t(a.size);
-    const unsigned char* at = a.pointer + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
+    const unsigned char* at = a.bytes() + std::ptrdiff_t(i) * std::ptrdiff_t(stride);
     if (a.type == GL_FLOAT) {
         std::memcpy(&out.x, at, std::size_t(a.size) * sizeof(float));
         return out;
@@ -48,9 +42,7 @@ void perform(Function function, Values... values) {
     call<Kind::Vertex, execute>(function, values...);
 }
 
-bool is_given(const ClientState& client, Array a) {
-    return client.array(a).enable && client.array(a).pointer != nullptr;
-}
+bool is_given(const ClientState& client, Array a) { return client.array(a).is_given(); }
 
 /// [GL11] 2.8: the order of the arrays, the vertex last.
 void send_values(const ClientState& client, GLint i) {
@@ -83,9 +75,10 @@ void send_element(const ClientState& client, GLint i) {
 template <int size, class IndexOf, class Take>
 void for_each_of_floats(const ClientArray& a, GLsizei count, IndexOf index_of, Take take) {
     const std::ptrdiff_t stride = a.stride != 0 ? a.stride : size * int(sizeof(float));
+    const unsigned char* const bytes = a.bytes();
     for (GLsizei k = 0; k < count; ++k) {
         vec4 out{0, 0, 0, 1};
-        std::memcpy(&out.x, a.pointer + index_of(k) * stride, size * sizeof(float));
+        std::memcpy(&out.x, bytes + index_of(k) * stride, size * sizeof(float));
         take(k, out);
     }
 }
@@ -202,123 +195,56 @@ GLint index_at(GLenum type, const GLvoid* indices, GLsizei i) {
     return type == GL_UNSIGNED_SHORT ? read(GLushort()) : read(GLuint());
 }
 
-/// Sets an array's layout, or an error.
-void set_pointer(Context& context, Array which, GLint size, GLenum type, GLsizei stride,
-                 const GLvoid* pointer) {
-    if (stride < 0) return set_error(context, GL_INVALID_VALUE);
-    ClientArray& a = context.client.array(which);
-    a.size = size;
-    a.type = type;
-    a.stride = stride;
-    a.pointer = static_cast<const unsigned char*>(pointer);
+/// Whether the elements up to an index are in an array's buffer.
+bool holds(const ClientArray& a, std::uint32_t last) {
+    const std::size_t bytes = array_component_bytes(a.type) * std::size_t(a.size);
+    const std::size_t stride = a.stride != 0 ? std::size_t(a.stride) : bytes;
+    const auto offset = reinterpret_cast<std::size_t>(a.pointer);
+    if (!a.buffer->holds(offset, bytes)) return false;
+    return stride == 0 || (a.buffer->size - offset - bytes) / stride >= last;
 }
 
-bool is_coordinate_type(GLenum type) {
-    return type == GL_SHORT || type == GL_INT || type == GL_FLOAT || type == GL_DOUBLE;
+bool uses_buffers(const ClientState& client) {
+    return client.element_buffer || std::ranges::any_of(client.arrays, [](const ClientArray& a) {
+               return a.enable && a.buffer;
+           });
 }
 
-/// [GL11] table 2.5
-struct Interleaved {
-    GLenum format;
-    int texcoords, colors, normals, positions;  ///< components; 0: none
-    GLenum color_type;
-};
-constexpr Interleaved interleaved_formats[] = {
-    {GL_V2F, 0, 0, 0, 2, 0},
-    {GL_V3F, 0, 0, 0, 3, 0},
-    {GL_C4UB_V2F, 0, 4, 0, 2, GL_UNSIGNED_BYTE},
-    {GL_C4UB_V3F, 0, 4, 0, 3, GL_UNSIGNED_BYTE},
-    {GL_C3F_V3F, 0, 3, 0, 3, GL_FLOAT},
-    {GL_N3F_V3F, 0, 0, 3, 3, 0},
-    {GL_C4F_N3F_V3F, 0, 4, 3, 3, GL_FLOAT},
-    {GL_T2F_V3F, 2, 0, 0, 3, 0},
-    {GL_T4F_V4F, 4, 0, 0, 4, 0},
-    {GL_T2F_C4UB_V3F, 2, 4, 0, 3, GL_UNSIGNED_BYTE},
-    {GL_T2F_C3F_V3F, 2, 3, 0, 3, GL_FLOAT},
-    {GL_T2F_N3F_V3F, 2, 0, 3, 3, 0},
-    {GL_T2F_C4F_N3F_V3F, 2, 4, 3, 3, GL_FLOAT},
-    {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4, GL_FLOAT},
-};
+/// Whether elements may be read: what stands in buffers is in them, and the program has mapped none.
+/// Else INVALID_OPERATION. [GL15] 2.9 leaves the first open.
+bool check_buffers(Context& context, std::uint32_t last) {
+    for (const ClientArray& a : context.client.arrays) {
+        if (!a.enable || !a.buffer) continue;
+        if (a.buffer->is_mapped || !holds(a, last))
+            return set_error(context, GL_INVALID_OPERATION), false;
+    }
+    return true;
+}
 
-void set_client_array(Context& context, GLenum name, bool on) {
-    ClientArray* const array = find_array(context.client, name);
-    if (array == nullptr) return set_error(context, GL_INVALID_ENUM);
-    array->enable = on;
+/// Where the indices are; null: nowhere, or an error is set.
+const GLvoid* indices_at(Context& context, const GLvoid* indices, GLsizei count, GLenum type) {
+    const BufferRef& buffer = context.client.element_buffer;
+    const bool is_there = !buffer || (!buffer->is_mapped &&
+                                      buffer->holds(reinterpret_cast<std::size_t>(indices),
+                                                    std::size_t(count) * component_bytes(type)));
+    if (!is_there) return set_error(context, GL_INVALID_OPERATION), nullptr;
+    return bytes_at(buffer, indices);
+}
+
+/// Buffers stay as they are while their elements are read: contexts of other threads may share them.
+std::unique_lock<std::recursive_mutex> keep_buffers(Context& context) {
+    if (!uses_buffers(context.client)) return {};
+    return context.shared->exclusive();
 }
 
 }  // namespace
 
 namespace execute {
 
-void vertex_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
-                    const GLvoid* pointer) {
-    if (size < 2 || size > 4) return set_error(context, GL_INVALID_VALUE);
-    if (!is_coordinate_type(type)) return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::Vertex, size, type, stride, pointer);
-}
-
-void normal_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (!is_coordinate_type(type) && type != GL_BYTE) return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::Normal, 3, type, stride, pointer);
-}
-
-void color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
-                   const GLvoid* pointer) {
-    if (size < 3 || size > 4) return set_error(context, GL_INVALID_VALUE);
-    if (bytes_of(type) == 0) return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::Color, size, type, stride, pointer);
-}
-
-void index_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
-    if (!is_coordinate_type(type) && type != GL_UNSIGNED_BYTE)
-        return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::Index, 1, type, stride, pointer);
-}
-
-void tex_coord_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
-                       const GLvoid* pointer) {
-    if (size < 1 || size > 4) return set_error(context, GL_INVALID_VALUE);
-    if (!is_coordinate_type(type)) return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::TexCoord, size, type, stride, pointer);
-}
-
-void edge_flag_pointer(Context& context, GLsizei stride, const GLvoid* pointer) {
-    set_pointer(context, Array::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
-}
-
-void enable_client_state(Context& context, GLenum array) { set_client_array(context, array, true); }
-void disable_client_state(Context& context, GLenum array) {
-    set_client_array(context, array, false);
-}
-
-void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const GLvoid* pointer) {
-    if (stride < 0) return set_error(context, GL_INVALID_VALUE);
-    for (const Interleaved& f : interleaved_formats) {
-        if (f.format != format) continue;
-        const auto* at = static_cast<const unsigned char*>(pointer);
-        const std::size_t color_bytes = std::size_t(f.colors) * bytes_of(f.color_type);
-        const int floats = f.texcoords + f.normals + f.positions;
-        const GLsizei step =
-            stride != 0 ? stride : GLsizei(std::size_t(floats) * sizeof(float) + color_bytes);
-        const auto take = [&](Array which, int size, GLenum type) {
-            context.client.array(which).enable = size > 0;
-            if (size == 0) return;
-            set_pointer(context, which, size, type, step, at);
-            at += std::size_t(size) * bytes_of(type);
-        };
-        context.client.array(Array::EdgeFlag).enable = context.client.array(Array::Index).enable =
-            false;
-        take(Array::TexCoord, f.texcoords, GL_FLOAT);
-        take(Array::Color, f.colors, f.color_type);
-        take(Array::Normal, f.normals, GL_FLOAT);
-        return take(Array::Vertex, f.positions, GL_FLOAT);
-    }
-    set_error(context, GL_INVALID_ENUM);
-}
-
 void array_element(Context& context, GLint i) {
     if (i < 0) return set_error(context, GL_INVALID_VALUE);
-    send_element(context.client, i);
+    const auto lock = keep_buffers(context);
+    if (check_buffers(context, std::uint32_t(i))) send_element(context.client, i);
 }
 
 void play_elements(Context& context, const Elements& elements) {
@@ -334,6 +260,9 @@ void draw_arrays(Context& context, GLenum mode, GLint first, GLsizei count) {
         return set_error(context, GL_INVALID_OPERATION);
     if (mode > GL_POLYGON) return set_error(context, GL_INVALID_ENUM);
     if (count < 0 || first < 0) return set_error(context, GL_INVALID_VALUE);
+    const auto lock = keep_buffers(context);
+    const std::uint32_t last = std::uint32_t(first) + std::uint32_t(count) - 1;
+    if (count > 0 && !check_buffers(context, last)) return;
     const auto index_of = [&](GLsizei i) { return first + i; };
     if (context.lists.open)
         return list_elements(context, Function::DrawArrays, mode, count, index_of);
@@ -348,12 +277,33 @@ void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type,
     if (count < 0) return set_error(context, GL_INVALID_VALUE);
     if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT)
         return set_error(context, GL_INVALID_ENUM);
-    if (indices == nullptr) return;
-    const auto index_of = [&](GLsizei i) { return index_at(type, indices, i); };
+    const auto lock = keep_buffers(context);
+    const GLvoid* const at = indices_at(context, indices, count, type);
+    if (at == nullptr) return;
+    const auto index_of = [&](GLsizei i) { return index_at(type, at, i); };
+    if (lock && count > 0) {
+        std::uint32_t last = 0;
+        for (GLsizei i = 0; i < count; ++i) last = std::max(last, std::uint32_t(index_of(i)));
+        if (!check_buffers(context, last)) return;
+    }
     if (context.lists.open)
         return list_elements(context, Function::DrawElements, mode, count, index_of);
     if (!draw_shared(context, mode, count, index_of))
         draw_elements_one_by_one(context, mode, count, index_of);
+}
+
+void multi_draw_arrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
+                       GLsizei primcount) {
+    if (primcount < 0) return set_error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] != 0) draw_arrays(context, mode, first[i], count[i]);
+}
+
+void multi_draw_elements(Context& context, GLenum mode, const GLsizei* count, GLenum type,
+                         const GLvoid* const* indices, GLsizei primcount) {
+    if (primcount < 0) return set_error(context, GL_INVALID_VALUE);
+    for (GLsizei i = 0; i < primcount; ++i)
+        if (count[i] != 0) draw_elements(context, mode, count[i], type, indices[i]);
 }
 
 /// The range is a hint. EXT_draw_range_elements

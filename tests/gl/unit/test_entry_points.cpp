@@ -8,26 +8,18 @@
 #include <string>
 #include <string_view>
 
-// As gl/entry/generate.py defines them.
-extern "C" {
-std::intptr_t glGenBuffersARB();
-std::intptr_t glGenFramebuffersEXT();
-}
-
 namespace gw::gl {
 namespace {
 
 TEST(EntryPoints, HaveEachNameOnce) {
     std::set<std::string> names;
-    for (const auto& points : {entry_points(), later_entry_points()})
-        for (const EntryPoint& point : points)
-            EXPECT_TRUE(names.insert(point.name).second) << point.name;
+    for (const EntryPoint& point : entry_points())
+        EXPECT_TRUE(names.insert(point.name).second) << point.name;
 }
 
 TEST(EntryPoints, AreFoundByTheirNames) {
-    for (const auto& points : {entry_points(), later_entry_points()})
-        for (const EntryPoint& point : points)
-            EXPECT_EQ(find_entry_point(point.name), point.address) << point.name;
+    for (const EntryPoint& point : entry_points())
+        EXPECT_EQ(find_entry_point(point.name), point.address) << point.name;
     EXPECT_EQ(find_entry_point("glNoSuchFunction"), nullptr);
     EXPECT_EQ(find_entry_point(nullptr), nullptr);
 }
@@ -38,39 +30,23 @@ TEST(EntryPoints, AreThe336OfVersion1_1) {
         return name.ends_with("EXT") || name.ends_with("ARB") || name.starts_with("glBlendColor") ||
                name.starts_with("glBlendEquation") || name == "glDrawRangeElements";
     };
-    const auto count = std::ranges::count_if(
-        entry_points(), [&](const EntryPoint& point) { return !is_extension(point.name); });
+    const auto count = std::ranges::count_if(entry_points(), [&](const EntryPoint& point) {
+        return is_offered(point.offer, opengl(), 11) && !is_extension(point.name);
+    });
     EXPECT_EQ(count, 336);
 }
 
-TEST(EntryPoints, OfLaterVersionsSetInvalidOperation) {
-    const Window window;
-    for (const EntryPoint& point : later_entry_points()) {
-        reinterpret_cast<std::intptr_t (*)()>(point.address)();
-        EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION)) << point.name;
-    }
-}
-
-/// Linux' OpenGL ABI lets programs link with the 34 functions of ARB_multitexture.
-TEST(EntryPoints, HaveTheNamesOfMultitexture) {
-    const auto count = std::ranges::count_if(later_entry_points(), [](const EntryPoint& point) {
-        return std::string_view(point.name).ends_with("ARB");
-    });
-    EXPECT_EQ(count, 34);
-    for (const char* name : {"glActiveTextureARB", "glClientActiveTextureARB",
-                             "glMultiTexCoord1dARB", "glMultiTexCoord4svARB"})
-        EXPECT_NE(find_entry_point(name), nullptr) << name;
-}
-
-/// Programs may be linked with them, but do not find them: the extension is not there.
-TEST(EntryPoints, OfOtherExtensionsAreLinkedWith) {
-    const Window window;
-    for (const auto& [name, function] :
-         {std::pair("glGenBuffersARB", &glGenBuffersARB),
-          std::pair("glGenFramebuffersEXT", &glGenFramebuffersEXT)}) {
-        EXPECT_EQ(function(), 0) << name;
-        EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION)) << name;
-        EXPECT_EQ(find_entry_point(name), nullptr) << name;
+/// SDL 2 draws by glBlendFuncSeparate if it finds it.
+TEST(EntryPoints, AreOfferedByTheVersionThatHasThemAndByTheProfile) {
+    const auto offer = [](std::string_view name) {
+        return std::ranges::find(entry_points(), name, &EntryPoint::name)->offer;
+    };
+    for (int version = first_version; version <= last_version; ++version) {
+        EXPECT_TRUE(is_offered(offer("glBegin"), vgx(), version));
+        EXPECT_EQ(is_offered(offer("glLoadTransposeMatrixf"), opengl(), version), version >= 13);
+        EXPECT_EQ(is_offered(offer("glBlendFuncSeparate"), opengl(), version), version >= 14);
+        EXPECT_EQ(is_offered(offer("glGenBuffers"), opengl(), version), version >= 15);
+        EXPECT_FALSE(is_offered(offer("glBlendFuncSeparate"), vgx(), version));
     }
 }
 

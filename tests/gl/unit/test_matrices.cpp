@@ -28,8 +28,9 @@ Matrix get(GLenum name) {
 constexpr Matrix counting{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16};
 constexpr Matrix mixed{2, -1, 0, 3, 1, 4, -2, 0, 0, 5, 1, -3, 7, 0, 2, 1};
 
-void expect_near(const Matrix& a, const Matrix& b) {
-    for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(a[i], b[i], 1e-15) << i;
+/// Matrices hold floats.
+void expect_floats_of(const Matrix& a, const Matrix& b) {
+    for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(a[i], double(float(b[i]))) << i;
 }
 
 struct Stack {
@@ -98,7 +99,7 @@ TEST(GlMatrices, RotateAboutAnyAxis) {
     const double s = std::sin(angle * pi / 180), c = std::cos(angle * pi / 180);
     const double size = std::sqrt(14.0), x = 1 / size, y = 2 / size, z = 3 / size;
     glRotated(angle, 1, 2, 3);
-    expect_near(
+    expect_floats_of(
         get(GL_MODELVIEW_MATRIX),
         {x * x * (1 - c) + c, y * x * (1 - c) + z * s, x * z * (1 - c) - y * s, 0,
          x * y * (1 - c) - z * s, y * y * (1 - c) + c, y * z * (1 - c) + x * s, 0,
@@ -156,6 +157,115 @@ TEST(GlMatrices, WhatLiesOnTheNearOrFarPlaneIsInside) {
                     EXPECT_FALSE(is_drawn(near * (1 - 1e-3), eye_z));
                     EXPECT_FALSE(is_drawn(far * (1 + 1e-3), eye_z));
                 }
+}
+
+/// Each call that changes a matrix, with numbers that no float has.
+void change_matrix(int call, double k) {
+    const std::array<double, 16> m{1.1,   0.2, k,   0.1, 0.3, 0.9, 0.7, 0,
+                                   1 / k, 0.1, 1.3, 0.6, 0.4, 0.8, k,   1};
+    switch (call) {
+        case 0: return glLoadMatrixd(m.data());
+        case 1: return glMultMatrixd(m.data());
+        case 2: return glRotated(37 * k, 1, 2, 3);
+        case 3: return glTranslated(k, 0.1, 1 / k);
+        case 4: return glScaled(k, 1 / k, 1.1);
+        case 5: return glFrustum(-0.1 * k, 0.3, -0.2, 0.1, 0.1, 100 * k);
+        case 6: return glOrtho(-0.1 * k, 0.3, -0.2, 0.1, 0.1, 100 * k);
+        case 7: return glLoadTransposeMatrixd(m.data());
+        case 8: return glMultTransposeMatrixd(m.data());
+    }
+}
+
+TEST(GlMatrices, SurviveGetFloatvAndLoadMatrixfToTheBit) {
+    const Window window;
+    for (const Stack& stack : stacks) {
+        glMatrixMode(stack.mode);
+        for (int step = 0; step < 90; ++step) {
+            if (step % 9 == 5) glLoadIdentity();
+            change_matrix(step % 9, 1 + 0.37 * step);
+            std::array<float, 16> floats{};
+            const Matrix before = get(stack.matrix);
+            glGetFloatv(stack.matrix, floats.data());
+            glLoadMatrixf(floats.data());
+            EXPECT_EQ(get(stack.matrix), before) << "step " << step;
+        }
+    }
+}
+
+void draw_floor() {
+    constexpr int quads = 80;
+    constexpr float size = 10;
+    glBegin(GL_QUADS);
+    for (int y = 0; y < quads; ++y)
+        for (int x = 0; x < quads; ++x)
+            for (const auto& [i, k] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}})
+                glVertex3f(2 * size * float(x + i) / quads - size,
+                           2 * size * float(y + k) / quads - size, 0);
+    glEnd();
+}
+
+/// A light's pass, as renderers add one to the other: the matrices are read, others are loaded, and
+/// the first are loaded again. The same floor passes the depth test in every pixel.
+TEST(GlMatrices, AFloorThatIsDrawnAgainWithReloadedMatricesHitsEveryPixel) {
+    Window window(128, 128);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (int picture = 0; picture < 20; ++picture) {
+        glDisable(GL_BLEND);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glFrustum(-0.0138, 0.0138, -0.0104, 0.0104, 0.025, 50 + 0.7 * picture);
+        glMatrixMode(GL_MODELVIEW);
+        glLoadIdentity();
+        glRotated(-60 - picture, 1, 0, 0);
+        glRotated(17.3 * picture, 0, 0, 1);
+        glTranslated(0.1 * picture, -0.3, -1.7);
+        std::array<float, 16> projection{}, modelview{};
+        glGetFloatv(GL_PROJECTION_MATRIX, projection.data());
+        glGetFloatv(GL_MODELVIEW_MATRIX, modelview.data());
+        glColor3f(1, 0, 0);
+        draw_floor();
+        glLoadIdentity();
+        glMatrixMode(GL_PROJECTION);
+        glLoadIdentity();
+        glLoadMatrixf(projection.data());
+        glMatrixMode(GL_MODELVIEW);
+        glLoadMatrixf(modelview.data());
+        glEnable(GL_BLEND);
+        glColor3f(0, 1, 0);
+        draw_floor();
+        int first = 0, missed = 0;
+        for (const auto& pixel : window.pixels()) {
+            first += pixel[0] != 0;
+            missed += pixel[0] != 0 && pixel[1] == 0;
+        }
+        EXPECT_GT(first, 4000) << picture;
+        EXPECT_EQ(missed, 0) << picture;
+    }
+}
+
+TEST(GlMatrices, TransposedMatricesHaveRowsThatFollowEachOther) {
+    const Window window;
+    Matrix transposed{};
+    for (std::size_t i = 0; i < 16; ++i) transposed[i] = mixed[4 * (i % 4) + i / 4];
+    std::array<float, 16> single{};
+    std::copy(transposed.begin(), transposed.end(), single.begin());
+    for (const auto& [stack, query] : {std::pair(stacks[0], GLenum(GL_TRANSPOSE_MODELVIEW_MATRIX)),
+                                       {stacks[1], GL_TRANSPOSE_PROJECTION_MATRIX},
+                                       {stacks[2], GL_TRANSPOSE_TEXTURE_MATRIX}}) {
+        glMatrixMode(stack.mode);
+        glLoadTransposeMatrixd(transposed.data());
+        EXPECT_EQ(get(stack.matrix), mixed);
+        EXPECT_EQ(get(query), transposed);
+        glMultTransposeMatrixf(single.data());
+        EXPECT_EQ(get(stack.matrix), times(mixed, mixed));
+        glLoadTransposeMatrixf(single.data());
+        EXPECT_EQ(get(stack.matrix), mixed);
+        glMultTransposeMatrixd(transposed.data());
+        EXPECT_EQ(get(stack.matrix), times(mixed, mixed));
+    }
 }
 
 TEST(GlMatrices, StacksHaveTheirDepths) {

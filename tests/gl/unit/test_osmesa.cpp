@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <vector>
 
@@ -64,12 +65,35 @@ TEST(OSMesa, ExportsItsFunctionsAndGLs) {
           "OSMesaDestroyContext", "OSMesaMakeCurrent", "OSMesaGetCurrentContext",
           "OSMesaPixelStore", "OSMesaGetIntegerv", "OSMesaGetDepthBuffer", "OSMesaGetColorBuffer",
           "OSMesaGetProcAddress", "OSMesaColorClamp", "OSMesaPostprocess", "glBegin", "glVertex3f",
-          "glTexImage3D"}) {
+          "glGenBuffers"}) {
         EXPECT_NE(dlsym(library(), name), nullptr) << name;
         EXPECT_EQ(reinterpret_cast<void*>(Functions().address(name)), dlsym(library(), name))
             << name;
     }
     EXPECT_EQ(Functions().address("OSMesaNothing"), nullptr);
+}
+
+constexpr const char* linked_only[] = {
+#define GW_GL_LINKED(name) "gl" #name,
+#include "generated/gl/linked.inc"
+#undef GW_GL_LINKED
+};
+
+/// Programs that bind all functions when they load start; those that look one up are told the truth.
+TEST(OSMesa, LinksFunctionsThatItDoesNotOfferAndDoesNotFindThem) {
+    const Functions f;
+    const auto context = f.create(OSMESA_RGBA, 24, 8, 0, nullptr);
+    std::vector<unsigned char> memory(4 * 3 * 4);
+    ASSERT_TRUE(f.make_current(context, memory.data(), GL_UNSIGNED_BYTE, 4, 3));
+    const auto get_error = f.gl<decltype(glGetError)>("glGetError");
+    for (const char* name : linked_only) {
+        EXPECT_EQ(f.address(name), nullptr) << name;
+        auto* const linked = function<std::intptr_t()>(name);
+        ASSERT_NE(linked, nullptr) << name;
+        EXPECT_EQ(linked(), 0) << name;
+        EXPECT_EQ(get_error(), GLenum(GL_INVALID_OPERATION)) << name;
+    }
+    f.destroy(context);
 }
 
 /// A format, a type, and the bytes of the colour that draw() clears to.

@@ -34,7 +34,8 @@ void add(Snapshot& out, const std::string& name, Get get) {
 void add_variables(Snapshot& out) {
     constexpr std::pair<GLenum, GLenum> ranges[] = {
         {0x0B00, 0x0E00}, {0x2A00, 0x2A03}, {0x3000, 0x3006}, {0x4000, 0x4008},
-        {0x8000, 0x8010}, {0x8030, 0x8040}, {0x8060, 0x8094}};
+        {0x8000, 0x8010}, {0x8030, 0x8040}, {0x8060, 0x8094}, {0x80C8, 0x80CC},
+        {0x84E0, 0x84E7}, {0x8890, 0x88A0}, {0x88ED, 0x88F0}};
     for (const auto& [first, last] : ranges)
         for (GLenum name = first; name < last; ++name)
             add<double>(out, variable(name), [&](double* v) { glGetDoublev(name, v); });
@@ -74,6 +75,7 @@ void add_others(Snapshot& out) {
     glPushClientAttrib(GL_CLIENT_PIXEL_STORE_BIT);
     for (const GLenum name : {GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
         glPixelStorei(name, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     std::array<GLubyte, 128> stipple{};
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glGetPolygonStipple(stipple.data());

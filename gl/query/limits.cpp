@@ -1,0 +1,58 @@
+#include "gl/query/limits.h"
+
+#include "gl/context/context.h"
+
+namespace gw::gl {
+
+namespace {
+
+/// The step of sizes and widths with antialiasing.
+double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x1p-11 : 1; }
+
+}  // namespace
+
+void add_limits(StateVariables& t) {
+    t[GL_MAX_ELEMENTS_INDICES] = [](Context&) { return whole(1 << 16); };
+    t[GL_MAX_ELEMENTS_VERTICES] = [](Context&) { return whole(1 << 16); };
+    t[GL_MAX_LIGHTS] = [](Context&) { return whole(light_count); };
+    t[GL_MAX_CLIP_PLANES] = [](Context&) { return whole(max_clip_planes); };
+    t[GL_MAX_MODELVIEW_STACK_DEPTH] = [](Context&) { return whole(modelview_stack_depth); };
+    t[GL_MAX_PROJECTION_STACK_DEPTH] = [](Context&) { return whole(projection_stack_depth); };
+    t[GL_MAX_TEXTURE_STACK_DEPTH] = [](Context&) { return whole(texture_stack_depth); };
+    t[GL_MAX_TEXTURE_SIZE] = [](Context&) { return whole(max_texture_size); };
+    t[GL_MAX_PIXEL_MAP_TABLE] = [](Context&) { return whole(max_pixel_map); };
+    t[GL_MAX_NAME_STACK_DEPTH] = [](Context&) { return whole(name_stack_depth); };
+    t[GL_MAX_LIST_NESTING] = [](Context&) { return whole(max_list_nesting); };
+    t[GL_MAX_EVAL_ORDER] = [](Context&) { return whole(max_eval_order); };
+    t[GL_MAX_VIEWPORT_DIMS] = [](Context&) { return wholes(max_window_size, max_window_size); };
+    t[GL_MAX_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(attribute_stack_depth); };
+    t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
+    t[GL_SUBPIXEL_BITS] = [](Context& context) { return whole(context.profile.subpixel_bits); };
+    t[GL_POINT_SIZE_RANGE] = [](Context&) { return numbers_of(1, 128); };
+    t[GL_POINT_SIZE_GRANULARITY] = [](Context& context) {
+        return number(size_step(context.profile));
+    };
+    t[GL_LINE_WIDTH_RANGE] = [](Context&) { return numbers_of(1, 128); };
+    t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
+        return number(size_step(context.profile));
+    };
+    for (const GLenum name : {GL_SAMPLE_BUFFERS, GL_SAMPLES})
+        t[name] = [](Context&) { return whole(0); };
+    t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
+    t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };
+    t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };
+    t[GL_STEREO] = [](Context&) { return whole(GL_FALSE); };
+    t[GL_DOUBLEBUFFER] = [](Context& context) {
+        return whole(context.drawable != nullptr && context.drawable->is_double_buffered());
+    };
+    for (const GLenum name : {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS})
+        t[name] = [](Context& context) { return whole(context.profile.color_bits); };
+    t[GL_INDEX_BITS] = [](Context&) { return whole(0); };
+    t[GL_DEPTH_BITS] = [](Context& context) { return whole(context.profile.depth_bits); };
+    t[GL_STENCIL_BITS] = [](Context& context) { return whole(context.profile.stencil_bits); };
+    for (const GLenum name :
+         {GL_ACCUM_RED_BITS, GL_ACCUM_GREEN_BITS, GL_ACCUM_BLUE_BITS, GL_ACCUM_ALPHA_BITS})
+        t[name] = [](Context& context) { return whole(context.profile.accum_bits); };
+}
+
+}  // namespace gw::gl
