@@ -56,6 +56,7 @@ void Drawable::resize(int width, int height) {
     machine_ = std::move(made);
     width_ = width;
     height_ = height;
+    is_back_old_ = false;
     frame_.drop();
     if (log) log->open(*this);
 }
@@ -69,8 +70,34 @@ const Planes& Drawable::planes() {
 void Drawable::add(Command command, std::span<const CallRun> calls) {
     const auto lock = exclusive();
     if (log && frame_.is_new()) log->begin_frame(*this);
+    if (is_back_old_) bring_back_up_to_date(command);
     frame_.add(std::move(command), calls);
     if (frame_.is_full()) flush(Cause::Full);
+}
+
+void Drawable::bring_back_up_to_date(const Command& command) {
+    if (std::holds_alternative<SetState>(command)) return;
+    if (const auto* clear = std::get_if<gw::Clear>(&command)) {
+        if ((clear->planes & mask_of(Plane::Color)) == 0) return;
+        const gw::State now = state() != nullptr ? *state() : gw::State();
+        if (now.draw_buffer == DrawBuffer::Back && !now.scissor.test &&
+            now.color_mask == ColorMask{}) {
+            is_back_old_ = false;
+            return;
+        }
+    }
+    copy_to_back();
+}
+
+void Drawable::copy_to_back() {
+    is_back_old_ = false;
+    const gw::State kept = state() != nullptr ? *state() : gw::State();
+    gw::State copying;
+    copying.draw_buffer = DrawBuffer::Back;
+    copying.read_buffer = gw::ReadBuffer::Front;
+    frame_.add(SetState{copying});
+    frame_.add(gw::Copy{.plane = Plane::Color, .source = {0, 0, width_, height_}});
+    frame_.add(SetState{kept});
 }
 
 void Drawable::hold(std::size_t bytes) {
@@ -192,6 +219,7 @@ void Drawable::flush_swapped() {
 
 void Drawable::swap() {
     if (has_back_plane()) add(SwapBuffers{});
+    is_back_old_ = has_back_plane() && swap_method_ == SwapMethod::Copy;
     if (!swap_behind()) {
         flush_swapped();
         present();
@@ -207,6 +235,8 @@ void Drawable::select(gw::ReadBuffer buffer) {
 }
 
 void Drawable::execute_read(Plane plane, const Rect& rect, Cause cause, bool packed) {
+    const bool is_of_back = state() != nullptr && state()->read_buffer == gw::ReadBuffer::Back;
+    if (is_back_old_ && is_of_back) copy_to_back();
     frame_.add_read(plane, rect, packed);
     flush(cause);
 }

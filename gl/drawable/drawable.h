@@ -7,6 +7,7 @@
 #include "gl/drawable/background.h"
 #include "gl/drawable/frame.h"
 #include "gl/drawable/frame_log.h"
+#include "gl/drawable/settings.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
 
@@ -70,8 +71,10 @@ public:
     /// ends the frame, off screen too.
     /// Returns whether it ended.
     bool finish(Cause cause = Cause::Flush);
-    /// Exchanges front and back buffer; the frame is then whole, and shown.
+    /// Shows the back buffer as the front one; the frame is then whole.
     void swap();
+    /// The user's, unless it is set here.
+    void set_swap_method(SwapMethod method) { swap_method_ = method; }
     /// Shows the frame: to the window, or in the caller's memory.
     virtual void present() {}
     /// Waits until it is there.
@@ -116,6 +119,10 @@ protected:
     }
 
 private:
+    /// After a swap by exchange, copies the picture that is shown to the back buffer, unless `command`
+    /// clears it or does not touch it.
+    void bring_back_up_to_date(const Command& command);
+    void copy_to_back();
     void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
@@ -138,7 +145,9 @@ private:
     CollectedCommands executed_;              ///< by it
     Frame frame_;
     bool front_changed_ = false;
-    bool front_drawn_ = false;     ///< in this frame
+    bool front_drawn_ = false;  ///< in this frame
+    SwapMethod swap_method_ = settings().swap;
+    bool is_back_old_ = false;     ///< it is to be a copy of the front buffer, and is not yet
     bool is_left_unseen_ = false;  ///< by the last work of background_
 };
 

@@ -50,6 +50,12 @@ void read_version(Settings& out, std::string_view value) {
     report_ignored("GW_GL_VERSION", value, "expected 1.1, 1.2, 1.3, 1.4 or 1.5");
 }
 
+void read_swap(Settings& out, std::string_view value) {
+    if (value != "copy" && value != "exchange")
+        return report_ignored("GW_SWAP", value, "expected copy or exchange");
+    out.swap = value == "copy" ? SwapMethod::Copy : SwapMethod::Exchange;
+}
+
 std::optional<std::uint64_t> frame_number(std::string_view digits) {
     std::uint64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
@@ -63,6 +69,7 @@ Settings read_settings() {
     if (const char* const value = std::getenv("GW_THREADS")) read_threads(out, value);
     if (const char* const value = std::getenv("GW_MACHINE")) read_machine(out, value);
     if (const char* const value = std::getenv("GW_GL_VERSION")) read_version(out, value);
+    if (const char* const value = std::getenv("GW_SWAP")) read_swap(out, value);
     return out;
 }
 
@@ -89,6 +96,11 @@ void report_ignored(std::string_view variable, std::string_view value, std::stri
     const std::string line = "gw: " + std::string(variable) + " is '" + escape_controls(value) +
                              "'; " + std::string(expected) + "; it is ignored\n";
     std::fputs(line.c_str(), stderr);
+}
+
+void report_refused_context(int major, int minor) {
+    std::fprintf(stderr, "gw: OpenGL %d.%d is asked for; 1.1 is offered; no context is made\n",
+                 major, minor);
 }
 
 std::unique_ptr<Machine> make_machine(const Profile& profile, int width, int height) {

@@ -72,15 +72,64 @@ TEST(Buffers, AreRefusedThatADrawableDoesNotHave) {
     EXPECT_EQ(error_of(Buffers::Single, GL_LEFT), GLenum(GL_NO_ERROR));
 }
 
-TEST(Buffers, AreExchangedBySwap) {
+TEST(Buffers, AreCopiedOrExchangedBySwap) {
+    for (const SwapMethod method : {SwapMethod::Copy, SwapMethod::Exchange}) {
+        DoubleBuffered window;
+        window.drawable.set_swap_method(method);
+        glDrawBuffer(GL_FRONT);
+        clear_to(red);
+        glDrawBuffer(GL_BACK);
+        clear_to(green);
+        window.drawable.swap();
+        EXPECT_EQ(pixel_of(window, GL_FRONT), green);
+        EXPECT_EQ(pixel_of(window, GL_BACK), method == SwapMethod::Copy ? green : red);
+    }
+}
+
+/// Programs that draw only what changed grew up on it.
+TEST(Buffers, KeepWhatAProgramDoesNotDrawAgain) {
     DoubleBuffered window;
-    glDrawBuffer(GL_FRONT);
-    clear_to(red);
-    glDrawBuffer(GL_BACK);
+    use_pixel_coordinates(window);
     clear_to(green);
-    window.drawable.swap();
-    EXPECT_EQ(pixel_of(window, GL_FRONT), green);
-    EXPECT_EQ(pixel_of(window, GL_BACK), red);
+    for (int frame = 0; frame < 5; ++frame) {
+        glColor3ub(255, 0, 0);
+        glRecti(frame, 0, frame + 1, 1);
+        window.drawable.swap();
+        for (const GLenum buffer : {GL_FRONT, GL_BACK}) {
+            glReadBuffer(buffer);
+            for (int x = 0; x < 6; ++x)
+                EXPECT_EQ(window.pixel(x, 0), x <= frame ? red : green) << frame << ", " << x;
+        }
+    }
+}
+
+/// Whatever a frame begins with: only a clear of all of it needs no copy.
+TEST(Buffers, AreUpToDateForEveryFirstCallOfAFrame) {
+    const auto pictures = [](auto first) {
+        DoubleBuffered window;
+        use_pixel_coordinates(window);
+        clear_to(green);
+        window.drawable.swap();
+        first(window);
+        glDisable(GL_SCISSOR_TEST);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        return pixel_of(window, GL_BACK);
+    };
+    EXPECT_EQ(pictures([](DoubleBuffered&) { glClear(GL_DEPTH_BUFFER_BIT); }), green);
+    EXPECT_EQ(pictures([](DoubleBuffered&) {
+                  glEnable(GL_SCISSOR_TEST);
+                  glScissor(0, 0, 1, 1);
+                  glClear(GL_COLOR_BUFFER_BIT);
+                  glDisable(GL_SCISSOR_TEST);
+              }),
+              green);
+    EXPECT_EQ(pictures([](DoubleBuffered&) {
+                  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+                  clear_to(red);
+              }),
+              green);
+    EXPECT_EQ(pictures([](DoubleBuffered&) { clear_to(red); }), red);
+    EXPECT_EQ(pictures([](DoubleBuffered& window) { window.drawable.swap(); }), green);
 }
 
 /// A machine with one colour plane shows a double-buffered program all the same.
