@@ -41,12 +41,13 @@ endif()
 if(TARGET gw)
     foreach(library gw_glx gw_osmesa)  # which `gw gl` gives to programs
         if(TARGET ${library})
-            install(TARGETS ${library} LIBRARY DESTINATION ${GW_INSTALLED_OPENGL} NAMELINK_SKIP
+            install(TARGETS ${library} LIBRARY DESTINATION ${GW_INSTALLED_OPENGL}
                 COMPONENT command)
         endif()
     endforeach()
     if(TARGET gw_glx)
-        foreach(name libEGL.so.1 libGLX.so.0 libOpenGL.so.0)  # links to libGL.so.1
+        # Links to libGL.so.1. Python asks for the names without a number first.
+        foreach(name libEGL.so.1 libGLX.so.0 libOpenGL.so.0 libEGL.so libGLX.so libOpenGL.so)
             install(FILES ${PROJECT_BINARY_DIR}/lib/opengl/${name} DESTINATION
                 ${GW_INSTALLED_OPENGL} COMPONENT command)
         endforeach()

@@ -59,7 +59,10 @@ EGLContext create_context(EGLDisplay handle, EGLConfig config_handle, EGLContext
     const Config& config = config_of(display, config_handle);
     std::shared_ptr<Shared> shared;
     if (share_handle != EGL_NO_CONTEXT) shared = context_of(display, share_handle)->context.shared;
-    if (!is_offered(read_context_list(list))) throw Failure{EGL_BAD_MATCH};
+    if (const WantedContext wanted = read_context_list(list); !is_offered(wanted)) {
+        report_refused_context(wanted.major, wanted.minor);
+        throw Failure{EGL_BAD_MATCH};
+    }
     return keep(display, std::make_shared<ClientContext>(config, std::move(shared)));
 }
 

@@ -12,7 +12,8 @@ using namespace gw::gl;
 using namespace gw::gl::egl;
 
 constexpr const char* client_extensions =
-    "EGL_EXT_client_extensions EGL_EXT_platform_base EGL_EXT_platform_x11 "
+    "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration "
+    "EGL_EXT_device_query EGL_EXT_platform_base EGL_EXT_platform_device EGL_EXT_platform_x11 "
     "EGL_KHR_client_get_all_proc_addresses EGL_KHR_platform_x11 EGL_MESA_platform_surfaceless";
 constexpr const char* display_extensions =
     "EGL_KHR_create_context EGL_KHR_get_all_proc_addresses EGL_KHR_surfaceless_context";
@@ -58,6 +59,8 @@ EGLDisplay platform_display(EGLenum platform, void* native, int screen) {
         return &display_for(Platform::X11, static_cast<Display*>(native), screen);
     if (platform == EGL_PLATFORM_SURFACELESS_MESA && native == nullptr)
         return &display_for(Platform::Surfaceless, nullptr);
+    if (platform == EGL_PLATFORM_DEVICE_EXT && native == machine_device())
+        return &display_for(Platform::Device, nullptr);
     throw Failure{EGL_BAD_PARAMETER};
 }
 

@@ -47,7 +47,7 @@ Display* default_server() {
 }
 
 std::deque<Config> make_configs(EglDisplay& display) {
-    if (display.platform == Platform::Surfaceless) return make_surfaceless_configs();
+    if (display.platform != Platform::X11) return make_surfaceless_configs();
     if (display.native == nullptr) display.native = default_server();
     if (display.native == nullptr) throw Failure{EGL_NOT_INITIALIZED};
     const x11::LockedDisplay locked(display.native);

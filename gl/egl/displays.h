@@ -11,7 +11,8 @@
 
 namespace gw::gl::egl {
 
-enum class Platform { X11, Surfaceless };
+/// Surfaceless and Device have no windows.
+enum class Platform { X11, Surfaceless, Device };
 
 struct EglDisplay {
     const Platform platform;
@@ -24,6 +25,9 @@ struct EglDisplay {
     std::map<EGLContext, std::shared_ptr<ClientContext>> contexts;
     std::set<EGLSync> syncs;
 };
+
+/// The device of EGL_EXT_device_enumeration.
+EGLDeviceEXT machine_device();
 
 /// The display of this platform, made when it is first asked for.
 EglDisplay& display_for(Platform platform, Display* native, int screen = -1);

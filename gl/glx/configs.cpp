@@ -38,6 +38,7 @@ constexpr Criterion criteria[] = {
     {GLX_X_RENDERABLE, Match::Exact},
     {GLX_X_VISUAL_TYPE, Match::Exact},
     {GLX_CONFIG_CAVEAT, Match::Exact},
+    {GLX_SWAP_METHOD_OML, Match::Exact},
     {GLX_TRANSPARENT_TYPE, Match::Exact, GLX_NONE},
     {GLX_TRANSPARENT_INDEX_VALUE, Match::Ignored},
     {GLX_TRANSPARENT_RED_VALUE, Match::Ignored},
@@ -135,6 +136,10 @@ std::optional<int> attribute(const Config& c, int name) {
         case GLX_ACCUM_BLUE_SIZE:
         case GLX_ACCUM_ALPHA_SIZE: return c.accum_bits;
         case GLX_RENDER_TYPE: return GLX_RGBA_BIT;
+        case GLX_SWAP_METHOD_OML:
+            if (!c.double_buffered) return GLX_SWAP_UNDEFINED_OML;
+            return settings().swap == SwapMethod::Copy ? GLX_SWAP_COPY_OML : GLX_SWAP_EXCHANGE_OML;
+        case GLX_RGBA: return True;  // freeglut asks configurations for it
         case GLX_DRAWABLE_TYPE: return GLX_WINDOW_BIT | GLX_PIXMAP_BIT | GLX_PBUFFER_BIT;
         case GLX_X_RENDERABLE: return True;
         case GLX_X_VISUAL_TYPE: return GLX_TRUE_COLOR;

@@ -175,8 +175,10 @@ GLXContext glXCreateContextAttribsARB(Display* display, GLXFBConfig config, GLXC
             return send_error(display, GlxError::Profile, 0, request), nullptr;
         if (!exists(wanted) || wanted.render_type != GLX_RGBA_TYPE)
             return send_error(display, BadMatch, 0, request), nullptr;
-        if (!is_offered(wanted))
+        if (!is_offered(wanted)) {
+            report_refused_context(wanted.major, wanted.minor);
             return send_error(display, GlxError::FBConfig, 0, request), nullptr;
+        }
         return create(display, *config, share_list, request);
     });
 }

@@ -16,7 +16,7 @@ using namespace gw::gl::glx;
 constexpr const char* glx_extensions =
     "GLX_ARB_create_context GLX_ARB_create_context_profile GLX_ARB_get_proc_address "
     "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_query_renderer GLX_MESA_swap_control "
-    "GLX_SGIX_fbconfig GLX_SGI_make_current_read GLX_SGI_swap_control";
+    "GLX_OML_swap_method GLX_SGIX_fbconfig GLX_SGI_make_current_read GLX_SGI_swap_control";
 
 const char* string_of(int name) {
     switch (name) {
@@ -123,7 +123,6 @@ int glXGetConfig(Display* display, XVisualInfo* visual, int name, int* value) {
         const Config* const config = config_of_visual(display, *visual);
         if (name == GLX_USE_GL) return *value = config != nullptr, Success;
         if (config == nullptr) return GLX_BAD_VISUAL;
-        if (name == GLX_RGBA) return *value = True, Success;
         const std::optional<int> has = attribute(*config, name);
         if (!has || is_of_configs_only(name)) return GLX_BAD_ATTRIBUTE;
         *value = *has;

@@ -260,7 +260,10 @@ OSMesaContext GLAPIENTRY OSMesaCreateContextAttribs(const int* attributes,
     if (!given) return nullptr;
     auto& of = *given;
     const int major = of[OSMESA_CONTEXT_MAJOR_VERSION], minor = of[OSMESA_CONTEXT_MINOR_VERSION];
-    if (major > 1 || minor > 1 || of[OSMESA_PROFILE] != OSMESA_COMPAT_PROFILE) return nullptr;
+    if (major > 1 || minor > 1 || of[OSMESA_PROFILE] != OSMESA_COMPAT_PROFILE) {
+        report_refused_context(major, minor);
+        return nullptr;
+    }
     return OSMesaCreateContextExt(GLenum(of[OSMESA_FORMAT]), of[OSMESA_DEPTH_BITS],
                                   of[OSMESA_STENCIL_BITS], of[OSMESA_ACCUM_BITS], sharelist);
 }

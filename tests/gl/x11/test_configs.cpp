@@ -109,6 +109,8 @@ TEST_F(GlxConfigs, AVisualIsDoubleBufferedOnlyIfItWasAskedFor) {
         EXPECT_EQ(value, int(double_buffered));
         EXPECT_EQ(glXGetConfig(display, found, GLX_RGBA, &value), Success);
         EXPECT_EQ(value, True);
+        EXPECT_EQ(glXGetConfig(display, found, GLX_SWAP_METHOD_OML, &value), Success);
+        EXPECT_EQ(value, double_buffered ? GLX_SWAP_COPY_OML : GLX_SWAP_UNDEFINED_OML);
         EXPECT_EQ(glXGetConfig(display, found, GLX_DRAWABLE_TYPE, &value), GLX_BAD_ATTRIBUTE);
         XFree(found);
     }
