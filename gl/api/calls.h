@@ -152,6 +152,14 @@ void copy_tex_sub_image_1d(Context& context, GLenum target, GLint level, GLint x
                            GLint y, GLsizei width);
 void copy_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
                            GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenum internal_format,
+                             GLsizei width, GLsizei height, GLint border, GLsizei image_size,
+                             const HostImage& blocks);
+void compressed_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
+                                 GLint yoffset, GLsizei width, GLsizei height, GLenum format,
+                                 GLsizei image_size, const HostImage& blocks);
+/// No compressed format has one dimension.
+void compressed_tex_image_1d(Context& context, GLenum target);
 void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& params);
 void tex_env(Context& context, GLenum target, GLenum pname, const Params& params);
 void bind_texture(Context& context, GLenum target, GLuint texture);
@@ -261,6 +269,7 @@ void get_tex_level_parameteriv(Context& context, GLenum target, GLint level, GLe
                                GLint* params);
 void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, GLenum type,
                    GLvoid* pixels);
+void get_compressed_tex_image(Context& context, GLenum target, GLint level, GLvoid* memory);
 void get_pixel_mapfv(Context& context, GLenum map, GLfloat* values);
 void get_pixel_mapuiv(Context& context, GLenum map, GLuint* values);
 void get_pixel_mapusv(Context& context, GLenum map, GLushort* values);

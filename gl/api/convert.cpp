@@ -38,7 +38,29 @@ int parameter_count(GLenum pname) {
         case GL_TEXTURE_MAG_FILTER:
         case GL_TEXTURE_WRAP_S:
         case GL_TEXTURE_WRAP_T:
-        case GL_TEXTURE_PRIORITY: return 1;
+        case GL_TEXTURE_PRIORITY:
+        case GL_GENERATE_MIPMAP:
+        case GL_TEXTURE_MIN_LOD:
+        case GL_TEXTURE_MAX_LOD:
+        case GL_TEXTURE_LOD_BIAS:
+        case GL_TEXTURE_BASE_LEVEL:
+        case GL_TEXTURE_MAX_LEVEL:
+        case GL_COMBINE_RGB:
+        case GL_COMBINE_ALPHA:
+        case GL_RGB_SCALE:
+        case GL_ALPHA_SCALE:
+        case GL_SOURCE0_RGB:
+        case GL_SOURCE1_RGB:
+        case GL_SOURCE2_RGB:
+        case GL_SOURCE0_ALPHA:
+        case GL_SOURCE1_ALPHA:
+        case GL_SOURCE2_ALPHA:
+        case GL_OPERAND0_RGB:
+        case GL_OPERAND1_RGB:
+        case GL_OPERAND2_RGB:
+        case GL_OPERAND0_ALPHA:
+        case GL_OPERAND1_ALPHA:
+        case GL_OPERAND2_ALPHA: return 1;
     }
     return 0;
 }

@@ -74,6 +74,9 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
 /// The same for a texture's image. Sizes that no texture has are errors.
 HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
                          const GLvoid* pixels);
+/// The blocks of a compressed image; none if `size` is not that of such an image.
+HostImage compressed_blocks(GLenum format, GLsizei width, GLsizei height, GLsizei size,
+                            const GLvoid* blocks);
 /// The names that CallLists adds to the list base. [GL11] 5.4
 Numbers list_names(GLsizei n, GLenum type, const GLvoid* lists);
 

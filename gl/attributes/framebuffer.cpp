@@ -82,6 +82,8 @@ void hint(Context& context, GLenum target, GLenum mode) {
         case GL_LINE_SMOOTH_HINT: s.line_smooth = mode; return;
         case GL_POLYGON_SMOOTH_HINT: s.polygon_smooth = mode; return;
         case GL_FOG_HINT: s.fog = mode; return;
+        case GL_GENERATE_MIPMAP_HINT: s.generate_mipmap = mode; return;
+        case GL_TEXTURE_COMPRESSION_HINT: s.texture_compression = mode; return;
     }
     set_error(context, GL_INVALID_ENUM);
 }

@@ -22,7 +22,8 @@ Enum word(GLenum number) {
 }
 
 Wrap wrap(GLenum mode, const Profile& p) {
-    if (mode == GL_REPEAT) return Wrap::Repeat;
+    if (mode == GL_REPEAT || mode == GL_CLAMP_TO_BORDER || mode == GL_MIRRORED_REPEAT)
+        return word<Wrap>(mode);
     return mode == GL_CLAMP && p.extensions.texture_border ? Wrap::BorderClamp : Wrap::Clamp;
 }
 
@@ -118,6 +119,24 @@ void set_texture_coordinates(gw::State& out, const Context& context) {
     if (generates) out.texture.gen = TexGen::PerCoordinate;
 }
 
+/// The machine's textures begin with the base level.
+TextureLodState levels_of_detail(const TextureState& s, const TextureParameters& p) {
+    return {.bias = clamped(s.lod_bias + p.lod_bias, -max_lod_bias, max_lod_bias),
+            .min = p.min_lod,
+            .max = p.max_lod};
+}
+
+gw::CombineState combine(const CombineState& s) {
+    return {.func = word<CombineFunc>(s.func),
+            .source0 = word<CombineSource>(s.source[0]),
+            .source1 = word<CombineSource>(s.source[1]),
+            .source2 = word<CombineSource>(s.source[2]),
+            .operand0 = word<CombineOperand>(s.operand[0]),
+            .operand1 = word<CombineOperand>(s.operand[1]),
+            .operand2 = word<CombineOperand>(s.operand[2]),
+            .scale = s.scale};
+}
+
 void set_texture(gw::State& out, const Context& context) {
     const TextureState& s = context.state.texture;
     if (!s.enable[0] && !s.enable[1]) return;
@@ -129,6 +148,11 @@ void set_texture(gw::State& out, const Context& context) {
     out.texture.border_color = p.border_color;
     out.texture.env = word<gw::TexEnv>(s.env_mode);
     out.texture.env_color = s.env_color;
+    if (context.profile.extensions.texture_lod) out.texture.lod = levels_of_detail(s, p);
+    if (context.profile.extensions.texture_combine) {
+        out.texture.combine_rgb = combine(s.combine_rgb);
+        out.texture.combine_alpha = combine(s.combine_alpha);
+    }
 }
 
 void set_fog(gw::State& out, const FogState& s) {

@@ -41,10 +41,12 @@ class Entry:
         self.call, self.arguments = call, arguments
         if call is None:
             self.call = snake_case(name)
-            self.arguments = ", ".join(p.split()[-1] for p in parameters.split(",") if p.strip())
+            names = [p.split()[-1] for p in parameters.split(",") if p.strip()]
+            self.arguments = ", ".join(names)
 
     def named(self, name, since):
-        return Entry(self.kind, self.result, name, self.parameters, self.call, self.arguments, since)
+        return Entry(self.kind, self.result, name, self.parameters, self.call, self.arguments,
+                     since)
 
 
 def entries(path):

@@ -114,12 +114,18 @@ std::byte* image_memory(Context& context, const PixelStore& store, GLsizei width
                         GLenum format, GLenum type, const void* pointer) {
     if (!store.buffer) return static_cast<std::byte*>(const_cast<void*>(pointer));
     const std::size_t row = memory_row(store, width, format, type);
-    const std::size_t last =
-        type == GL_BITMAP ? (std::size_t(width) + 7 + 7) / 8 : row_bytes(width, format, type);
-    const std::size_t end = height == 0 || width == 0 ? 0
-                                                      : skipped_bytes(store, row, format, type) +
-                                                            std::size_t(height - 1) * row + last;
+    const std::size_t pixels_before = std::size_t(store.skip_pixels);
+    const std::size_t last = type == GL_BITMAP ? (pixels_before + std::size_t(width) + 7) / 8
+                                               : row_bytes(store.skip_pixels, format, type) +
+                                                     row_bytes(width, format, type);
+    // Rows beyond every memory are as good as the largest number.
+    const double rows = double(store.skip_rows) + double(height) - 1;
+    const double estimate = rows * double(row) + double(last);
     const std::size_t size = type == GL_BITMAP ? 1 : component_bytes(type);
+    const bool is_empty = height == 0 || width == 0;
+    const std::size_t end = is_empty             ? 0
+                            : estimate >= 0x1p62 ? std::size_t(1) << 62
+                                                 : std::size_t(rows) * row + last;
     return values_memory(context, store, (end + size - 1) / size, size, pointer);
 }
 
@@ -127,11 +133,11 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
     Context* const context = bound_context();
     if (context == nullptr || width <= 0 || height <= 0) return {};
     if (format_error(format, type) != GL_NO_ERROR) return {};
+    const PixelStore& store = context->client.unpack;
+    if (pixels == nullptr && !store.buffer) return {};
     const HostImage refused{.is_refused = true};
     if (row_bytes(width, format, type) > std::size_t(PTRDIFF_MAX) / std::size_t(height))
         return set_error(*context, GL_OUT_OF_MEMORY), refused;
-    const PixelStore& store = context->client.unpack;
-    if (pixels == nullptr && !store.buffer) return {};
     const auto lock = context->shared->exclusive();
     pixels = image_memory(*context, store, width, height, format, type, pixels);
     if (pixels == nullptr) return refused;
@@ -150,7 +156,7 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
 
 HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
                          const GLvoid* pixels) {
-    constexpr GLsizei largest = max_texture_size + 2;
+    constexpr GLsizei largest = max_texture_side + 2;
     return width <= largest && height <= largest ? unpack(width, height, format, type, pixels)
                                                  : HostImage{};
 }

@@ -56,9 +56,26 @@ std::optional<QueryValues> material_values(Context& context, GLenum face, GLenum
 }
 
 std::optional<QueryValues> tex_env_values(const Context& context, GLenum target, GLenum pname) {
+    const TextureState& s = context.state.texture;
+    if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS)
+        return number(s.lod_bias);
     if (target != GL_TEXTURE_ENV) return std::nullopt;
-    if (pname == GL_TEXTURE_ENV_MODE) return whole(context.state.texture.env_mode);
-    if (pname == GL_TEXTURE_ENV_COLOR) return units(context.state.texture.env_color);
+    switch (pname) {
+        case GL_TEXTURE_ENV_MODE: return whole(s.env_mode);
+        case GL_TEXTURE_ENV_COLOR: return units(s.env_color);
+        case GL_COMBINE_RGB: return whole(s.combine_rgb.func);
+        case GL_COMBINE_ALPHA: return whole(s.combine_alpha.func);
+        case GL_RGB_SCALE: return number(s.combine_rgb.scale);
+        case GL_ALPHA_SCALE: return number(s.combine_alpha.scale);
+    }
+    const std::size_t i = pname & 3;
+    if (pname >= GL_SOURCE0_RGB && pname <= GL_SOURCE2_RGB) return whole(s.combine_rgb.source[i]);
+    if (pname >= GL_SOURCE0_ALPHA && pname <= GL_SOURCE2_ALPHA)
+        return whole(s.combine_alpha.source[i]);
+    if (pname >= GL_OPERAND0_RGB && pname <= GL_OPERAND2_RGB)
+        return whole(s.combine_rgb.operand[i]);
+    if (pname >= GL_OPERAND0_ALPHA && pname <= GL_OPERAND2_ALPHA)
+        return whole(s.combine_alpha.operand[i]);
     return std::nullopt;
 }
 
@@ -84,6 +101,12 @@ std::optional<QueryValues> tex_parameter_values(const Context& context, GLenum t
         case GL_TEXTURE_BORDER_COLOR: return units(s.border_color);
         case GL_TEXTURE_PRIORITY: return unit_value(s.priority);
         case GL_TEXTURE_RESIDENT: return whole(GL_TRUE);
+        case GL_GENERATE_MIPMAP: return whole(s.generate_mipmap);
+        case GL_TEXTURE_MIN_LOD: return number(s.min_lod);
+        case GL_TEXTURE_MAX_LOD: return number(s.max_lod);
+        case GL_TEXTURE_LOD_BIAS: return number(s.lod_bias);
+        case GL_TEXTURE_BASE_LEVEL: return whole(s.base_level);
+        case GL_TEXTURE_MAX_LEVEL: return whole(s.max_level);
     }
     return std::nullopt;
 }
@@ -116,6 +139,10 @@ std::optional<QueryValues> tex_level_values(const Context& context, GLenum targe
         case GL_TEXTURE_HEIGHT: return whole(image.height);
         case GL_TEXTURE_BORDER: return whole(image.border);
         case GL_TEXTURE_INTERNAL_FORMAT: return whole(image.internal_format);
+        case GL_TEXTURE_COMPRESSED: return whole(image.blocks != nullptr);
+        case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
+            if (!image.blocks) return std::nullopt;
+            return whole(image.blocks->size());
         case GL_TEXTURE_RED_SIZE:
         case GL_TEXTURE_GREEN_SIZE:
         case GL_TEXTURE_BLUE_SIZE:
@@ -284,6 +311,16 @@ void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, 
     }
     copy_to_memory(pixels, context.client.pack, image.width, image.height, format, type,
                    packed_colors(colors, format, type));
+}
+
+void get_compressed_tex_image(Context& context, GLenum target, GLint level, GLvoid* memory) {
+    const auto index = target_index(target);
+    if (!index) return set_error(context, GL_INVALID_ENUM);
+    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    const auto blocks = context.textures.bound[*index]->levels[std::size_t(level)].blocks;
+    if (!blocks) return set_error(context, GL_INVALID_OPERATION);
+    std::byte* const at = values_memory(context, context.client.pack, blocks->size(), 1, memory);
+    if (at != nullptr) std::ranges::copy(*blocks, at);
 }
 
 void get_pixel_mapfv(Context& context, GLenum map, GLfloat* values) {

@@ -19,7 +19,18 @@ void add_limits(StateVariables& t) {
     t[GL_MAX_MODELVIEW_STACK_DEPTH] = [](Context&) { return whole(modelview_stack_depth); };
     t[GL_MAX_PROJECTION_STACK_DEPTH] = [](Context&) { return whole(projection_stack_depth); };
     t[GL_MAX_TEXTURE_STACK_DEPTH] = [](Context&) { return whole(texture_stack_depth); };
-    t[GL_MAX_TEXTURE_SIZE] = [](Context&) { return whole(max_texture_size); };
+    t[GL_MAX_TEXTURE_SIZE] = [](Context& context) {
+        return whole(largest_texture(context.profile));
+    };
+    t[GL_MAX_TEXTURE_LOD_BIAS] = [](Context&) { return number(max_lod_bias); };
+    t[GL_NUM_COMPRESSED_TEXTURE_FORMATS] = [](Context&) {
+        return whole(compressed_texture_formats.size());
+    };
+    t[GL_COMPRESSED_TEXTURE_FORMATS] = [](Context&) {
+        QueryValues out;
+        for (const GLenum format : compressed_texture_formats) out.add(format);
+        return out;
+    };
     t[GL_MAX_PIXEL_MAP_TABLE] = [](Context&) { return whole(max_pixel_map); };
     t[GL_MAX_NAME_STACK_DEPTH] = [](Context&) { return whole(name_stack_depth); };
     t[GL_MAX_LIST_NESTING] = [](Context&) { return whole(max_list_nesting); };

@@ -313,6 +313,12 @@ void add_hints(Table& t) {
     t[GL_POLYGON_SMOOTH_HINT] = [](Context& context) {
         return whole(context.state.hint.polygon_smooth);
     };
+    t[GL_GENERATE_MIPMAP_HINT] = [](Context& context) {
+        return whole(context.state.hint.generate_mipmap);
+    };
+    t[GL_TEXTURE_COMPRESSION_HINT] = [](Context& context) {
+        return whole(context.state.hint.texture_compression);
+    };
     t[GL_FOG_HINT] = [](Context& context) { return whole(context.state.hint.fog); };
 }
 

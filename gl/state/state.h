@@ -198,6 +198,7 @@ struct ColorBufferState {
 struct HintState {
     GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE;
     GLenum line_smooth = GL_DONT_CARE, polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE;
+    GLenum generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE;
 };
 
 inline constexpr int map_count = 9;
@@ -227,8 +228,19 @@ struct TextureParameters {
     GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT;
     vec4 border_color{0, 0, 0, 0};
     float priority = 1;
+    float min_lod = -1000, max_lod = 1000, lod_bias = 0;
+    int base_level = 0, max_level = 1000;
+    bool generate_mipmap = false;
     bool operator==(const TextureParameters&) const = default;
 };
+/// GL_COMBINE's function of colours or of alpha. [GL13] 3.8.12
+struct CombineState {
+    GLenum func = GL_MODULATE;
+    std::array<GLenum, 3> source{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, operand{};
+    int scale = 1;  ///< 1, 2 or 4
+};
+/// Levels of detail are moved by at most so many.
+inline constexpr float max_lod_bias = 16;
 /// The texture targets: GL_TEXTURE_1D, GL_TEXTURE_2D.
 inline constexpr int texture_target_count = 2;
 /// GL_TEXTURE_BIT. PushAttrib also keeps the parameters of the bound textures.
@@ -237,6 +249,9 @@ struct TextureState {
     std::array<GLuint, texture_target_count> bound{};
     GLenum env_mode = GL_MODULATE;
     vec4 env_color{0, 0, 0, 0};
+    CombineState combine_rgb{.operand = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}};
+    CombineState combine_alpha{.operand = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA}};
+    float lod_bias = 0;            ///< of the unit; the texture's own is added
     std::array<TexGenState, 4> gen{///< of s, t, r, q
                                    {{.object_plane = {1, 0, 0, 0}, .eye_plane = {1, 0, 0, 0}},
                                     {.object_plane = {0, 1, 0, 0}, .eye_plane = {0, 1, 0, 0}}}};

@@ -5,7 +5,9 @@
 #include "gw/profile.h"
 #include "gw/texture.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <optional>
@@ -13,8 +15,12 @@
 
 namespace gw::gl {
 
-/// 4096 = 2^12.
-inline constexpr int level_count = 13;
+/// max_texture_side = 2^13.
+inline constexpr int level_count = 14;
+/// The largest side of a profile's textures.
+constexpr int largest_texture(const Profile& p) {
+    return p.extensions.texture_sizes ? max_texture_side : max_texture_size;
+}
 
 /// One level's image. Channels that the base format lacks are those of complete().
 struct TextureImage {
@@ -22,6 +28,8 @@ struct TextureImage {
     int border = 0;
     GLint internal_format = 1;  ///< as it was given
     TexelValues texels;         ///< 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first
+    /// As they were given compressed; null: they were not, or a part was replaced since.
+    std::shared_ptr<const std::vector<std::byte>> blocks;
 };
 
 /// The machine's textures share the images' texels. So they are changed in place as long as no
@@ -33,9 +41,18 @@ struct TextureObject {
     bool changed = true;            ///< an image, since `made`
     bool made_with_levels = false;  ///< `made` has all levels, for filters that use them
     TextureRef made;                ///< null: there is no image
+    int made_base = 0;              ///< the level that is its first
     std::size_t new_bytes = 0;      ///< of texels that were stored beside those that frames keep
 
     void set_image(std::size_t level, TextureImage image);
+    /// Sets base_level or max_level: other levels belong to `made`.
+    void set_level(int TextureParameters::*which, int level);
+    /// The image of the base level.
+    const TextureImage& base() const {
+        return levels[std::size_t(std::min(parameters.base_level, level_count - 1))];
+    }
+    /// Makes the levels after the base level of it. [GL14] 3.8.8
+    void generate_levels();
     /// Whether a part of a level can be replaced where it is: nobody else has the texels.
     bool is_alone(std::size_t level) const;
     /// `colors` are those of a rectangle, which counts from the border.
@@ -65,6 +82,14 @@ struct BoundTextures {
 /// The base format's number 1 to 4, or name, of an internal format; 0: there is none. [GL11] table
 /// 3.16
 GLenum base_format(GLint internal_format);
+
+/// The compressed formats that programs are told of: those that suit every picture. [GL13] 3.8.1
+inline constexpr std::array<GLenum, 3> compressed_texture_formats{GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
+                                                                  GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
+                                                                  GL_COMPRESSED_RGBA_S3TC_DXT5_EXT};
+
+/// Whether R, G, B of an internal format are encoded as in sRGB.
+bool is_srgb(GLint internal_format);
 
 /// The channels that texels of an internal format have.
 TextureFormat machine_format(GLint internal_format);

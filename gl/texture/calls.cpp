@@ -1,4 +1,4 @@
-// Texture objects, parameters and environment. [GL11] 3.8.3 to 3.8.9
+// Texture objects and parameters. [GL11] 3.8.3 to 3.8.9
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
@@ -22,7 +22,9 @@ vec4 clamped_color(const Params& p) {
 }
 
 void set_wrap(Context& context, GLenum& field, GLenum mode) {
-    const bool known = mode == GL_CLAMP || mode == GL_REPEAT || mode == GL_CLAMP_TO_EDGE;
+    const bool has_more = context.profile.extensions.texture_wraps;
+    const bool known = mode == GL_CLAMP || mode == GL_REPEAT || mode == GL_CLAMP_TO_EDGE ||
+                       (has_more && (mode == GL_CLAMP_TO_BORDER || mode == GL_MIRRORED_REPEAT));
     if (!known) return set_error(context, GL_INVALID_ENUM);
     change(context, field, mode);
 }
@@ -30,6 +32,13 @@ void set_wrap(Context& context, GLenum& field, GLenum mode) {
 void set_filter(Context& context, GLenum& field, GLenum filter, bool known) {
     if (!known) return set_error(context, GL_INVALID_ENUM);
     change(context, field, filter);
+}
+
+void set_level(Context& context, std::size_t target, int TextureParameters::*which, double level) {
+    if (level < 0) return set_error(context, GL_INVALID_VALUE);
+    begin_change(context);
+    const auto lock = context.shared->exclusive();
+    context.textures.bound[target]->set_level(which, int(std::min(level, 1000.0)));
 }
 
 /// The object of a name, made when the name is bound first. Null: another target has the name.
@@ -64,22 +73,19 @@ void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& 
             if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
             return change(context, s.border_color, clamped_color(params));
         case GL_TEXTURE_PRIORITY: s.priority = clamped(float(params[0]), 0.0f, 1.0f); return;
+        case GL_GENERATE_MIPMAP: s.generate_mipmap = params[0] != 0; return;
+    }
+    if (!context.profile.extensions.texture_lod) return set_error(context, GL_INVALID_ENUM);
+    switch (pname) {
+        case GL_TEXTURE_MIN_LOD: return change(context, s.min_lod, float(params[0]));
+        case GL_TEXTURE_MAX_LOD: return change(context, s.max_lod, float(params[0]));
+        case GL_TEXTURE_LOD_BIAS: return change(context, s.lod_bias, float(params[0]));
+        case GL_TEXTURE_BASE_LEVEL:
+            return set_level(context, *index, &TextureParameters::base_level, params[0]);
+        case GL_TEXTURE_MAX_LEVEL:
+            return set_level(context, *index, &TextureParameters::max_level, params[0]);
     }
     set_error(context, GL_INVALID_ENUM);
-}
-
-void tex_env(Context& context, GLenum target, GLenum pname, const Params& params) {
-    if (target != GL_TEXTURE_ENV) return set_error(context, GL_INVALID_ENUM);
-    TextureState& s = context.state.texture;
-    if (pname == GL_TEXTURE_ENV_COLOR) {
-        if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
-        return change(context, s.env_color, clamped_color(params));
-    }
-    const GLenum mode = params.token();
-    const bool known =
-        mode == GL_MODULATE || mode == GL_DECAL || mode == GL_BLEND || mode == GL_REPLACE;
-    if (pname != GL_TEXTURE_ENV_MODE || !known) return set_error(context, GL_INVALID_ENUM);
-    change(context, s.env_mode, mode);
 }
 
 void bind_texture(Context& context, GLenum target, GLuint texture) {

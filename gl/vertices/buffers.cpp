@@ -1,7 +1,6 @@
 // GenBuffers .. GetBufferPointerv. [GL15] 2.9. Usage is a hint; it changes nothing.
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
-#include "gl/draw/submit.h"
 
 #include <algorithm>
 #include <cstring>

@@ -8,9 +8,14 @@ namespace gw::gl_peer {
 
 namespace {
 
+/// Mesa's library does not export all of its functions.
 template <class Function>
 void find(void* library, const char* name, Function& function) {
     function = reinterpret_cast<Function>(dlsym(library, name));
+    const auto address =
+        reinterpret_cast<decltype(&OSMesaGetProcAddress)>(dlsym(library, "OSMesaGetProcAddress"));
+    if (function == nullptr && address != nullptr)
+        function = reinterpret_cast<Function>(address(name));
     if (function == nullptr) throw std::runtime_error(std::string(name) + " is missing");
 }
 

@@ -7,7 +7,7 @@
 
 namespace gw::gl_peer {
 
-/// All functions of OpenGL 1.1, by GL's names without gl.
+/// All functions that are offered, by GL's names without gl.
 struct Gl {
 #define GW_GL_FUNCTION(name) decltype(&gl##name) name = nullptr;
 #include "generated/gl/names.inc"

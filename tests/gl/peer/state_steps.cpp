@@ -165,6 +165,24 @@ void set_blend(const Gl& gl, Random& random, Results&) {
                                               GL_ONE_MINUS_DST_ALPHA}));
 }
 
+/// Alpha has a rule of its own; colours are factors of both sides. [GL14] 4.1.7
+void set_separate_blend(const Gl& gl, Random& random, Results&) {
+    switch_to(gl, GL_BLEND, random.chance(80));
+    const auto factor = [&] {
+        return random.pick<GLenum>({GL_ZERO, GL_ONE, GL_DST_COLOR, GL_ONE_MINUS_DST_COLOR,
+                                    GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA,
+                                    GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA});
+    };
+    const auto equation = [&] {
+        return random.pick<GLenum>(
+            {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX});
+    };
+    const GLenum src_rgb = factor(), dst_rgb = factor(), src_alpha = factor();
+    gl.BlendFuncSeparate(src_rgb, dst_rgb, src_alpha, factor());
+    const GLenum rgb = equation();
+    gl.BlendEquationSeparate(rgb, equation());
+}
+
 void set_logic_op(const Gl& gl, Random& random, Results&) {
     switch_to(gl, GL_COLOR_LOGIC_OP, random.chance(30));
     gl.LogicOp(random.pick<GLenum>({GL_COPY, GL_SET, GL_CLEAR, GL_INVERT, GL_NOOP}));
@@ -232,10 +250,10 @@ std::span<const StepKind> lighting_steps() {
 }
 
 std::span<const StepKind> fragment_steps() {
-    static constexpr StepKind kinds[] = {{"fog", set_fog},         {"depth", set_depth},
-                                         {"stencil", set_stencil}, {"alpha", set_alpha},
-                                         {"blend", set_blend},     {"logic op", set_logic_op},
-                                         {"masks", set_masks},     {"clear", clear}};
+    static constexpr StepKind kinds[] = {
+        {"fog", set_fog},           {"depth", set_depth}, {"stencil", set_stencil},
+        {"alpha", set_alpha},       {"blend", set_blend}, {"separate blend", set_separate_blend},
+        {"logic op", set_logic_op}, {"masks", set_masks}, {"clear", clear}};
     return kinds;
 }
 

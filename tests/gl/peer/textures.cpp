@@ -36,7 +36,7 @@ std::vector<GLubyte> some_bytes(Random& random, int count) {
 /// One filter: where it changes to the other, Mesa decides for four pixels at once.
 void set_image(const Gl& gl, Random& random, Results&) {
     const GLenum target = some_target(random);
-    const int width = 1 << random.between(0, 4), height = 1 << random.between(0, 4);
+    const int width = random.between(1, 16), height = random.between(1, 16);
     const GLenum format = formats[random.below(int(std::size(formats)))];
     const GLint internal = internal_formats[random.below(int(std::size(internal_formats)))];
     const std::vector<GLubyte> bytes = some_bytes(random, 4 * 64 * 64);
@@ -49,8 +49,10 @@ void set_image(const Gl& gl, Random& random, Results&) {
     const GLint filter = random.chance(50) ? GL_NEAREST : GL_LINEAR;
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
     gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, random.chance(60) ? GL_REPEAT : GL_CLAMP);
-    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, random.chance(60) ? GL_REPEAT : GL_CLAMP);
+    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        gl.TexParameteri(target, name,
+                         random.pick<GLint>({GL_REPEAT, GL_CLAMP, GL_CLAMP_TO_EDGE,
+                                             GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT}));
     gl.TexParameterfv(target, GL_TEXTURE_BORDER_COLOR, some_color(random).data());
 }
 
@@ -71,8 +73,27 @@ void set_environment(const Gl& gl, Random& random, Results&) {
     const GLenum target = some_target(random);
     random.chance(70) ? gl.Enable(target) : gl.Disable(target);
     gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE,
-               random.pick<GLint>({GL_MODULATE, GL_BLEND, GL_REPLACE}));
+               random.pick<GLint>({GL_MODULATE, GL_BLEND, GL_REPLACE, GL_ADD}));
     gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, some_color(random).data());
+}
+
+/// Without the largest scale, which makes differences larger than those that are allowed.
+void set_combine(const Gl& gl, Random& random, Results&) {
+    const auto set = [&](GLenum name, GLint value) { gl.TexEnvi(GL_TEXTURE_ENV, name, value); };
+    set(GL_TEXTURE_ENV_MODE, GL_COMBINE);
+    for (const GLenum name : {GL_COMBINE_RGB, GL_COMBINE_ALPHA})
+        set(name, random.pick<GLint>({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED,
+                                      GL_INTERPOLATE, GL_SUBTRACT}));
+    for (GLenum i = 0; i < 3; ++i) {
+        for (const GLenum name : {GL_SOURCE0_RGB, GL_SOURCE0_ALPHA})
+            set(name + i,
+                random.pick<GLint>({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS}));
+        set(GL_OPERAND0_RGB + i, random.pick<GLint>({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+                                                     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
+        set(GL_OPERAND0_ALPHA + i, random.pick<GLint>({GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA}));
+    }
+    set(GL_RGB_SCALE, random.chance(50) ? 1 : 2);
+    set(GL_ALPHA_SCALE, random.chance(50) ? 1 : 2);
 }
 
 /// Both planes: with the first ones, centres of pixels would be on the sides of texels.
@@ -112,6 +133,7 @@ std::span<const StepKind> texture_steps() {
                                          {"part", set_part},
                                          {"environment", set_environment},
                                          {"environment", set_environment},
+                                         {"combine", set_combine},
                                          {"generation", set_generation},
                                          {"texture matrix", set_matrix},
                                          {"delete texture", delete_texture}};

@@ -265,7 +265,7 @@ TEST(GlAttributes, EnableBitRestoresEveryCapabilityAndNothingElse) {
         capabilities += is_capability;
         EXPECT_EQ(values, (is_capability ? before : changed).at(name)) << name;
     }
-    EXPECT_EQ(capabilities, 22 + 8 + 6 + 2 + 4 + 18 + 6);  // the last: client arrays
+    EXPECT_EQ(capabilities, 23 + 8 + 6 + 2 + 4 + 18 + 6);  // the last: client arrays
 }
 
 TEST(GlAttributes, MaterialsFollowTheColorUntilPopDisablesColorMaterial) {

@@ -124,7 +124,7 @@ bool is_left_out(std::string_view name) {
 /// Calls that may change something before the error comes: lists set the errors of their calls.
 bool may_be_partial(std::string_view name) {
     return name == "GetError" || name == "CallList" || name.starts_with("Draw") ||
-           name == "ArrayElement" || name == "End";
+           name.starts_with("ArrayElement") || name.starts_with("MultiDraw") || name == "End";
 }
 
 bool is_error(GLenum error) {

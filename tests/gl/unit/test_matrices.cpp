@@ -1,6 +1,7 @@
 // Matrices against independent arithmetic. [GL11] 2.10, 2.11
 #include "tests/gl/unit/support/window.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw::gl {
@@ -154,8 +155,10 @@ TEST(GlMatrices, WhatLiesOnTheNearOrFarPlaneIsInside) {
                     set(-near, near, -near, near, near, far);
                     EXPECT_TRUE(is_drawn(near, eye_z));
                     EXPECT_TRUE(is_drawn(far, eye_z));
-                    EXPECT_FALSE(is_drawn(near * (1 - 1e-3), eye_z));
-                    EXPECT_FALSE(is_drawn(far * (1 + 1e-3), eye_z));
+                    // What a matrix of floats tells apart.
+                    const double beyond = std::max(1e-3, 0x1p-20 * far / near);
+                    EXPECT_FALSE(is_drawn(near * (1 - beyond), eye_z));
+                    EXPECT_FALSE(is_drawn(far * (1 + beyond), eye_z));
                 }
 }
 

@@ -165,9 +165,9 @@ Pair fragment_test(Dice& dice) {
     }
     return {{Place::Outside,
              [=](Model& m) {
-                 // [GL11] tables 4.1 and 4.2
-                 if (!is_in(source, {GL_ONE, GL_DST_COLOR, GL_SRC_ALPHA_SATURATE}) ||
-                     !is_in(target, {GL_ZERO, GL_SRC_COLOR, GL_DST_ALPHA}))
+                 // [GL14] tables 4.1 and 4.2
+                 if (!is_in(source, {GL_ONE, GL_DST_COLOR, GL_SRC_ALPHA_SATURATE, GL_SRC_COLOR}) ||
+                     !is_in(target, {GL_ZERO, GL_SRC_COLOR, GL_DST_ALPHA, GL_DST_COLOR}))
                      return m.fail(GL_INVALID_ENUM);
                  m.set(GL_BLEND_SRC, {double(source)});
                  m.set(GL_BLEND_DST, {double(target)});

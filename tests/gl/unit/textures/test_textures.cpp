@@ -88,22 +88,27 @@ TEST(GlTextures, IncompleteTexturesAreAsIfTexturingWereOff) {
     EXPECT_EQ(textured(window), (Color{0, 0, 0, 255}));
 }
 
-TEST(GlTextures, ZeroSizesAreNoImageAndOddSizesAreErrors) {
-    const Window window;
+TEST(GlTextures, ZeroSizesAreNoImageAndSizesThatTheProfileLacksAreErrors) {
     const auto expect = [](GLsizei width, GLsizei height, GLint border, GLenum error) {
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, width, height, border, GL_RGB, GL_UNSIGNED_BYTE,
                      nullptr);
         EXPECT_EQ(glGetError(), error) << width << " " << height << " " << border;
     };
-    expect(8, 4, 0, GL_NO_ERROR);
-    expect(10, 6, 1, GL_NO_ERROR);
-    expect(0, 4, 0, GL_NO_ERROR);
-    EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 0);
-    expect(6, 4, 0, GL_INVALID_VALUE);
-    expect(2, 4, 1, GL_INVALID_VALUE);  // nothing inside the border
-    expect(8192, 1, 0, GL_INVALID_VALUE);
-    expect(-1, 1, 0, GL_INVALID_VALUE);
-    expect(4, 4, 2, GL_INVALID_VALUE);
+    for (const Profile& profile : {opengl(), vgx()}) {
+        const Window window(8, 8, profile);
+        const GLenum of_any = profile.extensions.texture_sizes ? GL_NO_ERROR : GL_INVALID_VALUE;
+        expect(8, 4, 0, GL_NO_ERROR);
+        expect(10, 6, 1, GL_NO_ERROR);
+        expect(0, 4, 0, GL_NO_ERROR);
+        EXPECT_EQ(level_value(GL_TEXTURE_WIDTH), 0);
+        expect(6, 4, 0, of_any);
+        expect(9, 6, 1, of_any);
+        expect(8192, 1, 0, of_any);
+        expect(16384, 1, 0, GL_INVALID_VALUE);
+        expect(2, 4, 1, GL_INVALID_VALUE);  // nothing inside the border
+        expect(-1, 1, 0, GL_INVALID_VALUE);
+        expect(4, 4, 2, GL_INVALID_VALUE);
+    }
 }
 
 TEST(GlTextures, ErrorsReadNoMemory) {
@@ -180,7 +185,7 @@ TEST(GlTextures, AProxyIsZeroedByWhatIsTooLargeAndKeptByErrors) {
     EXPECT_EQ(ask(0, -8, 0), GLenum(GL_INVALID_VALUE));
     EXPECT_EQ(ask(0, 8, 2), GLenum(GL_INVALID_VALUE));
     EXPECT_EQ(proxy_width(), 8);
-    EXPECT_EQ(ask(0, 8192, 0), GLenum(GL_NO_ERROR));
+    EXPECT_EQ(ask(0, 16384, 0), GLenum(GL_NO_ERROR));
     EXPECT_EQ(proxy_width(), 0);
 }
 

@@ -26,29 +26,29 @@ GLuint buffer_of(GLenum target, const std::vector<T>& values) {
 
 void expect_error(GLenum error, const char* what) { EXPECT_EQ(glGetError(), error) << what; }
 
-struct Vertex {
+struct ArrayVertex {
     GLubyte color[4];
     GLfloat position[2];
 };
-const std::vector<Vertex> vertices{{{255, 0, 0, 255}, {2, 3}},
-                                   {{0, 255, 0, 255}, {28, 5}},
-                                   {{0, 0, 255, 255}, {9, 29}},
-                                   {{255, 255, 0, 255}, {30, 30}},
-                                   {{0, 255, 255, 255}, {3, 20}}};
+const std::vector<ArrayVertex> vertices{{{255, 0, 0, 255}, {2, 3}},
+                                        {{0, 255, 0, 255}, {28, 5}},
+                                        {{0, 0, 255, 255}, {9, 29}},
+                                        {{255, 255, 0, 255}, {30, 30}},
+                                        {{0, 255, 255, 255}, {3, 20}}};
 const std::vector<GLushort> indices{9, 9, 0, 1, 2, 1, 3, 2, 2, 4, 0};
 
 /// Sets the arrays from an address or an offset on.
 void set_arrays(const GLubyte* base) {
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(Vertex), base + offsetof(Vertex, color));
-    glVertexPointer(2, GL_FLOAT, sizeof(Vertex), base + offsetof(Vertex, position));
+    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ArrayVertex), base + offsetof(ArrayVertex, color));
+    glVertexPointer(2, GL_FLOAT, sizeof(ArrayVertex), base + offsetof(ArrayVertex, position));
     glEnableClientState(GL_COLOR_ARRAY);
     glEnableClientState(GL_VERTEX_ARRAY);
 }
 void set_arrays_in_memory() { set_arrays(reinterpret_cast<const GLubyte*>(vertices.data())); }
 /// 16 other bytes stand before them.
 GLuint set_arrays_in_buffer() {
-    std::vector<GLubyte> bytes(16 + vertices.size() * sizeof(Vertex), 0xCD);
-    std::memcpy(&bytes[16], vertices.data(), vertices.size() * sizeof(Vertex));
+    std::vector<GLubyte> bytes(16 + vertices.size() * sizeof(ArrayVertex), 0xCD);
+    std::memcpy(&bytes[16], vertices.data(), vertices.size() * sizeof(ArrayVertex));
     const GLuint name = buffer_of(GL_ARRAY_BUFFER, bytes);
     set_arrays(static_cast<const GLubyte*>(offset(16)));
     glBindBuffer(GL_ARRAY_BUFFER, 0);  // the arrays keep it
@@ -370,56 +370,6 @@ TEST(GlBuffers, ContextsShareThem) {
     EXPECT_EQ(second, 2);
     glDeleteBuffers(1, &name);
     make_current(nullptr, nullptr);
-}
-
-/// [GL14] 4.1.7: alpha by its own factors and equation.
-TEST(GlBlending, AlphaHasFactorsAndAnEquationOfItsOwn) {
-    Window window(1, 1);
-    glClearColor(100 / 255.0f, 100 / 255.0f, 100 / 255.0f, 200 / 255.0f);
-    glEnable(GL_BLEND);
-    const auto blended = [&] {
-        glClear(GL_COLOR_BUFFER_BIT);
-        glColor4ub(30, 20, 10, 5);
-        glRecti(-1, -1, 1, 1);
-        return window.pixel(0, 0);
-    };
-    glBlendFuncSeparate(GL_ONE, GL_ZERO, GL_ZERO, GL_ONE);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{30, 20, 10, 200}));
-    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{130, 120, 110, 5}));
-    glBlendFunc(GL_ONE, GL_ONE);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{130, 120, 110, 205}));
-    glBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_REVERSE_SUBTRACT);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{130, 120, 110, 195}));
-    glBlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_MAX);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{70, 80, 90, 200}));
-    glBlendEquation(GL_FUNC_ADD);
-    EXPECT_EQ(blended(), (std::array<GLubyte, 4>{130, 120, 110, 205}));
-    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_RED, GL_ONE);
-    expect_error(GL_INVALID_ENUM, "a wrong factor");
-    const std::pair<GLenum, GLint> values[] = {
-        {GL_BLEND_SRC_RGB, GL_ONE},           {GL_BLEND_DST_RGB, GL_ONE},
-        {GL_BLEND_SRC_ALPHA, GL_ONE},         {GL_BLEND_DST_ALPHA, GL_ONE},
-        {GL_BLEND_EQUATION_RGB, GL_FUNC_ADD}, {GL_BLEND_EQUATION_ALPHA, GL_FUNC_ADD}};
-    for (const auto& [name, expected] : values) {
-        GLint value = 0;
-        glGetIntegerv(name, &value);
-        EXPECT_EQ(value, expected) << name;
-    }
-}
-
-/// [GL12] 2.10.3: rescaled normals have length 1 here, as normalized ones do.
-TEST(GlLighting, RescaledNormalsAreNormalizedOnes) {
-    const auto draw = [](GLenum normals) {
-        glEnable(GL_LIGHTING);
-        glEnable(GL_LIGHT0);
-        glEnable(normals);
-        glScalef(0.25f, 0.25f, 0.25f);
-        glNormal3f(0.6f, 0, 0.8f);
-        glRecti(16, 16, 100, 100);
-    };
-    expect_same_picture([&] { draw(GL_NORMALIZE); }, [&] { draw(GL_RESCALE_NORMAL); });
-    EXPECT_NE(drawn([&] { draw(GL_NORMALIZE); }), drawn([&] { draw(GL_LIGHT1); }));
 }
 
 }  // namespace gw::gl

@@ -94,6 +94,7 @@ TEST(Buffers, KeepWhatAProgramDoesNotDrawAgain) {
     for (int frame = 0; frame < 5; ++frame) {
         glColor3ub(255, 0, 0);
         glRecti(frame, 0, frame + 1, 1);
+        finish_frame(window.context);
         window.drawable.swap();
         for (const GLenum buffer : {GL_FRONT, GL_BACK}) {
             glReadBuffer(buffer);
