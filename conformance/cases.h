@@ -14,7 +14,9 @@ Case buffers_case(Random& random);
 Case clip_case(Random& random);
 Case clip_control_case(Random& random);
 Case coincident_case(Random& random);
+Case cubes_case(Random& random);
 Case depth_case(Random& random);
+Case depth_textures_case(Random& random);
 Case everything_case(Random& random);
 Case fog_case(Random& random);
 Case fog_coordinate_case(Random& random);
@@ -42,9 +44,11 @@ Case texture_churn_case(Random& random);
 Case texture_combine_case(Random& random);
 Case texture_sizes_case(Random& random);
 Case texture_srgb_case(Random& random);
+Case texture_units_case(Random& random);
 Case tiny_draws_case(Random& random);
 Case vertices_case(Random& random);
 Case viewport_case(Random& random);
+Case volumes_case(Random& random);
 
 // Lists that random ones seldom are: conformance/directed/. They share no seeds with the random
 // tests, so a change here leaves those digests alone.

@@ -124,6 +124,14 @@ const std::vector<Group>& all_groups() {
          occlusion_query_case, 8, depth, {&C::depth_killed, &C::written}},
         {"clip-control", "the window's origin above, depths from 0 to 1", "R6.31 R6.32",
          clip_control_case, 16, color | depth, {&C::rejected, &C::clipped, &C::culled, &C::written}},
+        {"texture-units", "four units, environments that read other units", "R10.37 R10.39",
+         texture_units_case, 40, color, {&C::texels, &C::depth_killed, &C::written}},
+        {"depth-textures", "depth textures and all comparisons with r", "R10.40 R10.41 R10.38",
+         depth_textures_case, 24, color, {&C::texels, &C::written}},
+        {"cubes", "cube maps, their edges, corners and levels", "R10.42 R10.43 R10.44",
+         cubes_case, 32, color, {&C::texels, &C::written}},
+        {"volumes", "textures of three dimensions", "R10.45 R10.38",
+         volumes_case, 24, color, {&C::texels, &C::written}},
     };
     return all;
 }

@@ -49,6 +49,12 @@ struct TextureBinding {
     bool operator==(const TextureBinding&) const = default;
 };
 
+/// Of texture units 1 to 3.
+using MoreBindings = std::array<TextureBinding, max_texture_units - 1>;
+using MoreTexcoords = std::array<vec4, max_texture_units - 1>;
+inline constexpr MoreTexcoords initial_texcoords{vec4(0, 0, 0, 1), vec4(0, 0, 0, 1),
+                                                 vec4(0, 0, 0, 1)};
+
 /// The values of all vertices for which the mesh has none.
 struct CurrentValues {
     vec4 color{1, 1, 1, 1};
@@ -56,6 +62,7 @@ struct CurrentValues {
     vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
     vec3 secondary_color{0, 0, 0};
     float fog_coordinate = 0;
+    MoreTexcoords more_texcoords = initial_texcoords;
     bool operator==(const CurrentValues&) const = default;
 };
 
@@ -69,11 +76,25 @@ struct Draw {
     std::shared_ptr<const CurrentValues> current;   ///< null: their initial values
     LightsRef lights;
     TextureBinding map;
+    std::shared_ptr<const MoreBindings> more_maps;  ///< null: they are off
     /// ColorSource::PolygonId: the id is (id_base + mesh polygon id mod 2^32) >> id_shift.
     std::uint32_t id_base = 0;
     int id_shift = 0;  ///< 0 .. 31
     bool operator==(const Draw&) const = default;
 };
+
+/// The texture of a unit of a Draw or DrawPixels.
+const TextureBinding& map_of(const auto& command, std::size_t unit) {
+    static const TextureBinding off;
+    if (unit == 0) return command.map;
+    return command.more_maps ? (*command.more_maps)[unit - 1] : off;
+}
+/// Whether a unit has a texture.
+bool is_textured(const auto& command) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (map_of(command, unit).enabled()) return true;
+    return false;
+}
 
 /// A run of pixels in one row, in window coordinates.
 struct Span {
@@ -131,6 +152,7 @@ struct RasterPosition {
     double distance = 0;        ///< from the eye, for fog: >= 0
     Rgba secondary_color{};     ///< each channel <= 2^color_bits - 1; the last is unused
     double fog_coordinate = 0;  ///< in place of the distance, for FogSource::Coordinate
+    MoreTexcoords more_texcoords = initial_texcoords;
     bool operator==(const RasterPosition&) const = default;
 };
 
@@ -157,6 +179,7 @@ struct DrawPixels {
     std::vector<std::uint8_t> bits;
     std::optional<PixelSource> source;  ///< gives colours, depths or stencil values
     TextureBinding map;
+    std::shared_ptr<const MoreBindings> more_maps;  ///< null: they are off
 
     std::size_t area() const { return Rect{0, 0, width, height}.area(); }
     std::size_t bit_row() const { return (std::size_t(width) + 7) / 8; }  ///< bytes of a row

@@ -4,6 +4,7 @@
 
 #include "gw/material.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +22,13 @@ enum class Primitive {
     TriangleFan,
     Quads,
     Polygons
+};
+
+/// The texture coordinates of a further unit, as those of the first.
+struct UnitTexcoords {
+    std::vector<vec2> st;  ///< empty: the draw's current ones
+    std::vector<vec2> rq;  ///< empty: (0, 1) if there are st
+    bool operator==(const UnitTexcoords&) const = default;
 };
 
 /// The data of a mesh, in object space. Vertex arrays are either empty or as long as `positions`.
@@ -41,6 +49,7 @@ struct MeshData {
     std::vector<float> w;
     /// r, q of the texture coordinates. Empty: (0,1) if there are texcoords
     std::vector<vec2> texcoords_rq;
+    std::array<UnitTexcoords, 3> more_texcoords;  ///< of texture units 1 to 3
     /// Triangles, Quads, Polygons: 0 if the side from this vertex to the next is no edge of the
     /// outline. Empty: all sides are edges
     std::vector<std::uint8_t> edge_flags;

@@ -64,7 +64,12 @@ Profile opengl() {
                     .secondary_color = true,
                     .fog_coordinate = true,
                     .occlusion_query = true,
-                    .clip_control = true};
+                    .clip_control = true,
+                    .texture_units = true,
+                    .texture_depth = true,
+                    .texture_cube = true,
+                    .texture_seamless = true,
+                    .texture_3d = true};
     return p;
 }
 
@@ -94,6 +99,11 @@ std::span<const ExtensionName> extension_names() {
         {"fog_coordinate", &Extensions::fog_coordinate},
         {"occlusion_query", &Extensions::occlusion_query},
         {"clip_control", &Extensions::clip_control},
+        {"texture_units", &Extensions::texture_units},
+        {"texture_depth", &Extensions::texture_depth},
+        {"texture_cube", &Extensions::texture_cube},
+        {"texture_seamless", &Extensions::texture_seamless},
+        {"texture_3d", &Extensions::texture_3d},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

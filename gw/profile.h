@@ -39,6 +39,11 @@ struct Extensions {
     bool fog_coordinate = false;          ///< FogSource::Coordinate
     bool occlusion_query = false;         ///< Query
     bool clip_control = false;            ///< ClipControlState
+    bool texture_units = false;           ///< MoreTextures, Draw::more_maps
+    bool texture_depth = false;           ///< Texture::depths, TextureState::compare_func
+    bool texture_cube = false;      ///< Texture::cube, CoordinateMode::NormalMap, ReflectionMap
+    bool texture_seamless = false;  ///< TextureState::seamless
+    bool texture_3d = false;        ///< three dimensions
     bool operator==(const Extensions&) const = default;
 };
 

@@ -12,16 +12,6 @@
 
 namespace gw {
 
-enum class CompareFunc : std::uint8_t {
-    Never,
-    Less,
-    Equal,
-    LEqual,
-    Greater,
-    NotEqual,
-    GEqual,
-    Always
-};
 enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
 enum class BlendFactor : std::uint8_t {
     Zero,
@@ -332,6 +322,7 @@ struct State {
     bool color_sum = false;  ///< extension secondary_color: of ColorSource::Vertex
     FogState fog;
     TextureState texture;  ///< how texels are used; the draw names the texture
+    MoreTextures more_textures;
     ScissorState scissor;
     AlphaState alpha;
     StencilState stencil;
@@ -349,6 +340,9 @@ constexpr bool sums_colors(const State& s) {
                ? s.lighting.separate_specular
                : s.color_sum && s.color_source == ColorSource::Vertex;
 }
+/// How a unit uses its texels.
+const TextureState& texture_of(const State& state, std::size_t unit);
+
 /// Whether a primitive of any kind is antialiased.
 constexpr bool antialiases(const State& s) {
     return s.point_smooth || s.line_smooth || s.polygon_smooth;

@@ -128,6 +128,24 @@ TextureLevel half_of_any_size(const TextureLevel& level) {
     return result;
 }
 
+/// Weighted means of slices, two or three of the level before.
+TextureLevel half_of_slices(const TextureLevel& level, const std::vector<TextureLevel>& halves) {
+    TextureLevel result{halves[0].width, halves[0].height, {}, std::max(1, level.layers / 2)};
+    std::vector<std::uint16_t>& out = result.rgba.edit();
+    for (int k = 0; k < result.layers; ++k) {
+        const CoveredTexels slices = covered(level.layers, k);
+        const auto total = std::uint64_t(slices.total());
+        for (std::size_t i = 0; i < halves[0].rgba.size(); ++i) {
+            std::uint64_t sum = 0;
+            for (int j = 0; j < slices.count; ++j)
+                sum += std::uint64_t(slices.weight[std::size_t(j)]) *
+                       halves[std::size_t(slices.first + j)].rgba[i];
+            out.push_back(static_cast<std::uint16_t>((2 * sum + total) / (2 * total)));
+        }
+    }
+    return result;
+}
+
 void add_levels(Texture& texture) {
     while (texture.levels.back().width > 1 || texture.levels.back().height > 1) {
         const TextureLevel& last = texture.levels.back();
@@ -143,17 +161,36 @@ std::shared_ptr<Texture> texture_named(std::string name) {
     return texture;
 }
 
+/// The rules of cubes, of three dimensions and of depths.
+void check_kind(const Texture& t, const auto& fail) {
+    const int layers = t.levels.front().layers;
+    const int most = t.dimensions == 3 ? max_volume_side : t.cube ? 6 : 1, least = t.cube ? 6 : 1;
+    if (t.cube && t.dimensions != 2) fail("a cube without two dimensions; expected 2");
+    if (t.cube && t.width() != t.height()) fail("faces that are no squares; expected equal sides");
+    if (layers < least || layers > most)
+        fail(std::to_string(layers) + " layers; expected " + std::to_string(least) + " to " +
+             std::to_string(most));
+    if (t.dimensions == 3 && (t.width() > max_volume_side || t.height() > max_volume_side))
+        fail("sides in three dimensions of more than " + std::to_string(max_volume_side));
+    if (t.border && needs_r(t)) fail("a border with r; expected none");
+    const bool is_grey = t.format == TextureFormat::Luminance ||
+                         t.format == TextureFormat::Intensity || t.format == TextureFormat::Alpha;
+    if (t.depths && (!is_grey || t.dimensions == 3 || t.cube || t.srgb))
+        fail("depths of another kind; expected Luminance, Intensity or Alpha in two dimensions");
+}
+
 void check_levels(const Texture& t) {
     const auto fail = [&](const std::string& what) {
         throw Error("texture " + t.name + ": " + what);
     };
     if (t.levels.empty()) fail("no level; expected 1 or more");
-    if (t.dimensions != 1 && t.dimensions != 2)
-        fail(std::to_string(t.dimensions) + " dimensions; expected 1 or 2");
+    if (t.dimensions < 1 || t.dimensions > 3)
+        fail(std::to_string(t.dimensions) + " dimensions; expected 1 to 3");
+    check_kind(t, fail);
     if (t.dimensions == 1 && t.height() != 1) fail("a height in one dimension; expected 1");
     if (t.format > TextureFormat::Intensity)
         fail("format " + std::to_string(int(t.format)) + "; expected 0 to 5");
-    int width = t.width(), height = t.height();
+    int width = t.width(), height = t.height(), layers = t.levels.front().layers;
     for (std::size_t i = 0; i < t.levels.size(); ++i) {
         const TextureLevel& level = t.levels[i];
         check(t.name, width, height, std::size_t{4} * std::size_t(width) * std::size_t(height),
@@ -162,9 +199,14 @@ void check_levels(const Texture& t) {
             fail("level " + std::to_string(i) + " of " + std::to_string(level.width) + "x" +
                  std::to_string(level.height) + " texels; expected " + std::to_string(width) + "x" +
                  std::to_string(height));
-        if (level.rgba.size() != 4 * stored_rect(t, level).area())
+        if (level.layers != layers)
+            fail("level " + std::to_string(i) + " of " + std::to_string(level.layers) +
+                 " layers; expected " + std::to_string(layers));
+        const std::size_t values = 4 * stored_rect(t, level).area() * std::size_t(layers);
+        if (level.rgba.size() != values)
             fail("level " + std::to_string(i) + " has " + std::to_string(level.rgba.size()) +
-                 " values; expected " + std::to_string(4 * stored_rect(t, level).area()));
+                 " values; expected " + std::to_string(values));
+        if (t.dimensions == 3) layers = std::max(1, layers / 2);
         width = std::max(1, width / 2);
         height = std::max(1, height / 2);
     }
@@ -205,6 +247,22 @@ void TextureHistory::replace(const TexturePart& part) {
     ++number_;
 }
 
+TextureLevel next_level(const TextureLevel& level, int dimensions) {
+    const std::size_t size = 4 * std::size_t(level.width) * std::size_t(level.height);
+    std::vector<TextureLevel> halves;
+    for (std::size_t k = 0; k < std::size_t(level.layers); ++k)
+        halves.push_back(
+            half_of_any_size({level.width, level.height,
+                              std::vector(level.rgba.begin() + std::ptrdiff_t(k * size),
+                                          level.rgba.begin() + std::ptrdiff_t((k + 1) * size))}));
+    if (dimensions == 3) return half_of_slices(level, halves);
+    TextureLevel result{halves[0].width, halves[0].height, {}, level.layers};
+    std::vector<std::uint16_t>& out = result.rgba.edit();
+    for (const TextureLevel& half : halves)
+        out.insert(out.end(), half.rgba.begin(), half.rgba.end());
+    return result;
+}
+
 TextureRef share_texture(Texture given) {
     given.given_levels = true;
     check_levels(given);
@@ -215,7 +273,8 @@ TextureRef share_texture(Texture given) {
 TextureRef make_texture(Texture given) {
     check_levels(given);
     for (TextureLevel& level : given.levels)
-        if (given.format != TextureFormat::RGBA) complete(given.format, level.rgba.edit());
+        if (given.format != TextureFormat::RGBA && !given.depths)
+            complete(given.format, level.rgba.edit());
     given.history = {};
     return share_texture(std::move(given));
 }

@@ -34,6 +34,8 @@ public:
 struct TextureLevel {
     int width = 1, height = 1;
     TexelValues rgba;
+    /// of three dimensions: slices from r = 0 on; of a cube: 6 faces, +x, -x, +y, -y, +z, -z
+    int layers = 1;
     bool operator==(const TextureLevel&) const = default;
 };
 
@@ -86,17 +88,24 @@ struct Texture {
     std::string name;  ///< for messages and printed passes; not part of its value
     std::vector<TextureLevel> levels;
     TextureFormat format = TextureFormat::RGBA;
-    int dimensions = 2;         ///< 1: t is 0, the height 1
+    int dimensions = 2;         ///< 1: t is 0, the height 1; 3: extension texture_3d
     bool border = false;        ///< levels have a texel more on each side (1D: left and right)
     bool given_levels = false;  ///< levels do not follow from the first
     bool srgb = false;          ///< extension texture_srgb: R, G, B are encoded as in sRGB
-    TextureHistory history;     ///< not part of its value
+    bool cube = false;          ///< extension texture_cube: six square faces of two dimensions
+    /// extension texture_depth: a texel is a depth of 32 bits, R its high and G its low half. Format
+    /// Luminance, Intensity or Alpha
+    bool depths = false;
+    TextureHistory history;  ///< not part of its value
 
     int width() const { return levels.front().width; }
     int height() const { return levels.front().height; }
 };
 
-/// The texels that a level stores, with its border: from 0, 0 on.
+/// Whether look-ups need r at each pixel.
+constexpr bool needs_r(const Texture& t) { return t.dimensions == 3 || t.cube || t.depths; }
+
+/// The texels that a layer of a level stores, with its border: from 0, 0 on.
 constexpr Rect stored_rect(const Texture& t, const TextureLevel& level) {
     const int more = t.border ? 2 : 0;
     return {0, 0, level.width + more, level.height + (t.dimensions == 2 ? more : 0)};
@@ -119,6 +128,8 @@ using TextureRef = std::shared_ptr<const Texture>;
 inline constexpr int max_texture_size = 4096;
 /// The largest side of a texture.
 inline constexpr int max_texture_side = 8192;
+/// The largest side of a texture of three dimensions.
+inline constexpr int max_volume_side = 512;
 /// Whether a side is no power of two, or larger than max_texture_size: extension texture_sizes.
 constexpr bool is_any_size(int width, int height) {
     const auto is_plain = [](int side) {
@@ -142,6 +153,9 @@ TextureRef make_whole_texture(std::string name, int width, int height,
 /// level with a border has (width + 2) (height + 2) texels, 1D (width + 2). Channels that the format
 /// lacks are taken from R (luminance, intensity) or replaced. Throws Error where sizes do not fit.
 TextureRef make_texture(Texture given);
+
+/// The next level: means over the part that a texel covers, of each face or of slices too.
+TextureLevel next_level(const TextureLevel& level, int dimensions);
 
 /// A texture of one image, as above, from 8-bit texels.
 TextureRef make_texture8(std::string name, int width, int height,

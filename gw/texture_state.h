@@ -5,10 +5,22 @@
 #include "gw/base/types.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 
 namespace gw {
 
+enum class CompareFunc : std::uint8_t {
+    Never,
+    Less,
+    Equal,
+    LEqual,
+    Greater,
+    NotEqual,
+    GEqual,
+    Always
+};
 enum class MinFilter : std::uint8_t {
     Nearest,
     Linear,
@@ -47,7 +59,17 @@ enum class CombineFunc : std::uint8_t {
     Dot3Rgb,   ///< of colours only
     Dot3Rgba,  ///< of colours only: replaces alpha too
 };
-enum class CombineSource : std::uint8_t { Texture, Constant, PrimaryColor, Previous };
+enum class CombineSource : std::uint8_t {
+    Texture,
+    Constant,
+    PrimaryColor,
+    Previous,
+    /// extension texture_units: of that unit
+    Texture0,
+    Texture1,
+    Texture2,
+    Texture3,
+};
 /// Of alpha, Color is Alpha.
 enum class CombineOperand : std::uint8_t { Color, OneMinusColor, Alpha, OneMinusAlpha };
 /// A function of up to three arguments, for colours or for alpha.
@@ -73,6 +95,9 @@ enum class CoordinateMode : std::uint8_t {
     ObjectLinear,  ///< dot(plane, p_object)
     EyeLinear,     ///< dot(plane, p_eye)
     SphereMap,     ///< of s and t only
+    /// extension texture_cube, of s, t and r only
+    NormalMap,      ///< x, y and z of the normal in eye space
+    ReflectionMap,  ///< of the eye's ray after reflection at the normal
 };
 struct CoordinateGen {
     CoordinateMode mode = CoordinateMode::Given;
@@ -99,11 +124,23 @@ struct TextureState {
     vec4 border_color{0, 0, 0, 0};  ///< BorderClamp: of textures without a border of their own
     /// extension shadow_texture: 1 if r <= texel, else 0, as colour and alpha
     bool shadow_compare = false;
+    CompareFunc compare_func = CompareFunc::LEqual;  ///< of r and texel: extension texture_depth
+    Wrap wrap_r = Wrap::Repeat;                      ///< of three dimensions
+    bool seamless = false;  ///< extension texture_seamless: filters reach over a cube's edges
     TextureLodState lod;
     CombineState combine_rgb;
     CombineState combine_alpha{.operand0 = CombineOperand::Alpha,
                                .operand1 = CombineOperand::Alpha};
     bool operator==(const TextureState&) const = default;
+};
+
+inline constexpr std::size_t max_texture_units = 4;
+/// Extension texture_units: units 1 to 3. Null: their initial states.
+struct MoreTextures {
+    std::shared_ptr<const std::array<TextureState, max_texture_units - 1>> units;
+    bool operator==(const MoreTextures& other) const {
+        return units == other.units || (units && other.units && *units == *other.units);
+    }
 };
 
 }  // namespace gw

@@ -211,7 +211,7 @@ void any_combine(Random& r, TextureState& t) {
     const auto any = [&r](CombineState& s, CombineFunc last) {
         s.func = r.any(last);
         for (CombineSource* source : {&s.source0, &s.source1, &s.source2})
-            *source = r.any<CombineSource>();
+            *source = r.any(CombineSource::Previous);
         for (CombineOperand* operand : {&s.operand0, &s.operand1, &s.operand2})
             *operand = r.any<CombineOperand>();
         s.scale = r.pick({1, 1, 2, 4});

@@ -11,7 +11,7 @@ import sys
 import numpy as np
 
 from .machine import Machine
-from .recordings import readers
+from .files import readers
 
 
 def differences(name, counters, digests, queries, expected):

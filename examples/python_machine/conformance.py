@@ -11,7 +11,7 @@ import gw.conformance
 import numpy as np
 
 from .machine import Machine
-from .recordings import readers
+from .files import readers
 
 
 def play(recording):

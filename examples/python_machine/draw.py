@@ -3,14 +3,16 @@ import numpy as np
 
 from . import antialiasing, fog
 from .color_sum import summed, sums_colors
-from .environment import environment
+from .environment import environments
 from .fragments import FragmentStage
 from .geometry import PrimitiveStage
 from .numbers import one, rne
 from .rasterization import (Frame, OuterFrame, Perspective, covered, offset, quotient,
                             reciprocal)
-from .state import ColorSource, FogSource, Resolved, ShadeModel, draw_box
-from .texture import TextureStage, look_ups
+from .layers import VolumeStage, unit_look_ups
+from .resolved import Resolved
+from .state import ColorSource, FogSource, ShadeModel, draw_box
+from .texture import TextureStage
 from .texture_coordinates import divided_by_q
 
 
@@ -22,9 +24,9 @@ def run(machine, draw):
     stage = PixelStage(machine, draw)
     for pieces in PrimitiveStage(machine, draw).run():
         stage.run(pieces)
-    if draw.is_textured() and machine.state.color_source != ColorSource.PolygonId:
+    for unit in stage.textures:
         counters["texels"] += ((counters["fragments"] - before)
-                               * look_ups(machine.state.texture.min_filter))
+                               * unit_look_ups(machine, draw, unit))
 
 
 class PixelStage:
@@ -35,14 +37,17 @@ class PixelStage:
         self.box = draw_box(self.state, machine.width, machine.height)
         self.fragments = FragmentStage(machine, Resolved(self.state, self.profile))
         has_id = self.state.color_source == ColorSource.PolygonId
-        self.texture = None
-        if draw.is_textured() and not has_id:
-            self.texture = TextureStage(self.state, self.profile, machine.texture_of(draw),
-                                        divided_by_q(self.state, draw))
+        self.textures = {} if has_id else {unit: self.texture_stage(machine, draw, unit)
+                                           for unit in draw.units()}
         self.fog = self.state.fog if self.state.fog.enable and not has_id else None
         self.fog_table = None
         if self.fog and fog.per_fragment(self.state, self.profile):
             self.fog_table = fog.Table(self.fog, self.profile.color_bits)
+
+    def texture_stage(self, machine, draw, unit):
+        state, texture = self.state.of_unit(unit), machine.texture_of(draw, unit)
+        stage = VolumeStage if texture.with_r else TextureStage
+        return stage(state, self.profile, texture, divided_by_q(state, draw, unit), unit)
 
     def run(self, pieces):
         """Of one primitive: a smooth polygon has several pieces."""
@@ -69,10 +74,9 @@ class PixelStage:
             return
         depths = self.depths(ready, frame, x, y)
         colors = self.colors(ready, frame, x, y, [c.color for c in ready.corners])
-        if self.texture:
-            texels = self.texture.texels(frame, ready.corners, x, y)
-            colors = environment(colors, texels, self.state, self.texture.texture.format,
-                                 bits)
+        colors = environments(colors, {
+            unit: (stage.texels(frame, ready.corners, x, y), stage.texture.format)
+            for unit, stage in self.textures.items()}, self.state, bits)
         if sums_colors(self.state):
             colors = summed(colors, self.colors(ready, frame, x, y,
                                                 [c.secondary for c in ready.corners]), bits)

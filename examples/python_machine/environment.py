@@ -5,10 +5,19 @@ from .numbers import mul, one, quantize
 from .state import CombineFunc, CombineOperand, CombineSource, TexEnv, TextureFormat
 
 
-def environment(f, t, state, form, bits):
-    """[R10.17], [R10.24], [R10.32] f: the fragments' colours, t: their texels, state: the whole."""
+def environments(colors, texels, state, bits):
+    """[R10.37] texels: by unit, with their formats; state: the whole."""
+    primary = colors
+    for unit in sorted(texels):
+        colors = environment(colors, primary, texels, unit, state.of_unit(unit), bits)
+    return colors
+
+
+def environment(f, primary, texels, unit, state, bits):
+    """[R10.17], [R10.24], [R10.32] f: the fragments' colours; state: of the unit."""
     if state.texture.env == TexEnv.Combine:
-        return combined(f, t, state, form, bits)
+        return combined(f, primary, texels, unit, state, bits)
+    t, form = texels[unit]
     return np.stack([environment_channel(f, t, state.texture, form, c, bits) for c in range(4)],
                     axis=1)
 
@@ -67,15 +76,35 @@ def combine_function(rule, inputs, bits):
     return np.clip(rule.scale * v, 0, most)
 
 
-def combined(f, t, state, form, bits):
-    """[R10.32]"""
+def argument_texel(t, form):
+    """[R10.33]"""
     if form == TextureFormat.Alpha:
         t = t.copy()
         t[:, :3] = 0
+    return t
+
+
+def sources_used(rule):
+    """[R10.39]"""
+    count = {CombineFunc.Replace: 1, CombineFunc.Interpolate: 3}.get(rule.func, 2)
+    return [getattr(rule, f"source{k}") for k in range(count)]
+
+
+def combined(f, primary, texels, unit, state, bits):
+    """[R10.32], [R10.39]"""
     constant = np.array([quantize(v, bits) for v in state.texture.env_color], np.int64)
-    inputs = {CombineSource.Texture: t, CombineSource.PrimaryColor: f, CombineSource.Previous: f,
-              CombineSource.Constant: np.repeat(constant[None, :], len(f), axis=0)}
+    inputs = {CombineSource.Texture0 + k: argument_texel(*texels[k]) for k in texels}
+    inputs |= {CombineSource.Texture: inputs[CombineSource.Texture0 + unit],
+               CombineSource.PrimaryColor: primary, CombineSource.Previous: f,
+               CombineSource.Constant: np.repeat(constant[None, :], len(f), axis=0)}
+    own_alpha = state.combine_rgb.func != CombineFunc.Dot3Rgba
+    rules = [state.combine_rgb, state.combine_alpha] if own_alpha else [state.combine_rgb]
+    reads_off = any(source not in inputs for rule in rules for source in sources_used(rule))
+    if reads_off:
+        return f
+    for source in CombineSource:  # those that no argument uses
+        inputs.setdefault(source, f)
     result = combine_function(state.combine_rgb, inputs, bits)
-    if state.combine_rgb.func != CombineFunc.Dot3Rgba:
+    if own_alpha:
         result[:, 3] = combine_function(state.combine_alpha, inputs, bits)[:, 3]
     return result

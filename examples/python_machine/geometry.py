@@ -18,7 +18,7 @@ class Vertex:
     distances: tuple  # to the six user planes
     colors: tuple  # front and back, four integers each
     secondary: tuple = ((0, 0, 0), (0, 0, 0))  # likewise, three each
-    texture: tuple = (0.0, 0.0, 0.0, 1.0)
+    textures: tuple = ((0.0, 0.0, 0.0, 1.0),) * 4  # by unit
     fog: float = 0.0
 
 
@@ -55,20 +55,25 @@ class VertexStage:
         distances = tuple(dot4(plane.plane, p_eye) if plane.enable else 0.0
                           for plane in state.clip_planes)
         vertex = Vertex(clip, distances, *self.colors(i, point, n))
-        if self.draw.is_textured():
-            own = self.current.texcoord
-            if mesh.texcoords:
-                own = mesh.texcoords[i] + (mesh.texcoords_rq[i] if mesh.texcoords_rq
-                                           else (0.0, 1.0))
-            vertex.texture = texture_coordinates.at_vertex(state, own, p, p_eye, point, n)
-            if self.draw.texture is not None and self.draw.texture.dimensions == 1:
-                s, _, r, q = vertex.texture  # [R10.26]
-                vertex.texture = (s, 0.0, r, q)
+        vertex.textures = tuple(self.coordinates(unit, i, p, p_eye, point, n)
+                                for unit in range(4))
         if state.fog.enable:
             coordinate = (mesh.fog_coordinates[i] if mesh.fog_coordinates
                           else self.current.fog_coordinate)
             vertex.fog = fog.vertex_value(state, self.profile, point, coordinate)
         return vertex
+
+    def coordinates(self, unit, i, p, p_eye, point, n):
+        """[R10.1], [R10.26], [R10.37]"""
+        if not self.draw.is_textured(unit):
+            return (0.0, 0.0, 0.0, 1.0)
+        own = self.draw.mesh.texcoords_of(unit, i)
+        if own is None:
+            own = ((self.current.texcoord,) + self.current.more_texcoords)[unit]
+        s, t, r, q = texture_coordinates.at_vertex(self.state.of_unit(unit), own, p, p_eye, point,
+                                                   n)
+        image = self.draw.texture_of(unit)
+        return (s, 0.0 if image is not None and image.dimensions == 1 else t, r, q)
 
     def colors(self, i, point, n):
         """[R6.12], [R8.12] Colours and secondary colours, each of front and back."""
@@ -168,7 +173,7 @@ def between(inside, outside, d_inside, d_outside):
     return Vertex(mix(inside.clip, outside.clip), mix(inside.distances, outside.distances),
                   mix_colors(inside.colors, outside.colors),
                   mix_colors(inside.secondary, outside.secondary),
-                  mix(inside.texture, outside.texture),
+                  tuple(mix(a, b) for a, b in zip(inside.textures, outside.textures)),
                   inside.fog + t * (outside.fog - inside.fog))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import xxhash
 
 from . import draw, pixels
+from .layers import layered
 from .state import Plane, State
 from .texture import Texture
 
@@ -109,11 +110,13 @@ class Machine:
          "Read": pixels.read, "DrawPixels": pixels.draw_pixels,
          "SwapBuffers": pixels.swap_buffers}[command.kind](self, command)
 
-    def texture_of(self, command):
-        """The texture of a draw: an image's pyramid, made once, or a slot."""
-        if command.texture is None:
-            return self.slots[command.slot]
-        key = id(command.texture)
+    def texture_of(self, command, unit):
+        """The texture of a unit: an image's pyramid, made once, or a slot."""
+        image = command.texture_of(unit)
+        if image is None:
+            return self.slots[command.slot_of(unit)]
+        key = id(image)
         if key not in self.textures:
-            self.textures[key] = Texture.of_image(command.texture, self.profile)
+            make = layered if image.needs_r() else Texture.of_image
+            self.textures[key] = make(image, self.profile)
         return self.textures[key]

@@ -5,13 +5,14 @@ import numpy as np
 
 from . import fog
 from .color_sum import summed, sums_colors
-from .environment import environment
+from .environment import environments
 from .fragments import FragmentStage, colors_written
 from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
-from .state import (FogSource, Plane, ReadBuffer, Resolved, corners_of, intersection, pixel_box,
-                    stencil_write_mask)
-from .texture import Texture, look_ups, texel_in_place
+from .layers import unit_look_ups, volume_texel_in_place
+from .resolved import Resolved, stencil_write_mask
+from .state import FogSource, Plane, ReadBuffer, corners_of, intersection, pixel_box
+from .texture import Texture, texel_in_place
 
 
 def box_of(machine):
@@ -227,12 +228,15 @@ def shaded(machine, command, colors):
     """[R13.12]"""
     state, profile = machine.state, machine.profile
     bits = profile.color_bits
-    if command.is_textured():
-        machine.counters["texels"] += len(colors) * look_ups(state.texture.min_filter)
-        texture = machine.texture_of(command)
-        texel = texel_in_place(state, profile, texture, command.raster.texcoord)
-        colors = environment(colors, np.repeat(texel, len(colors), axis=0), state,
-                             texture.format, bits)
+    texels = {}
+    for unit in command.units():
+        machine.counters["texels"] += len(colors) * unit_look_ups(machine, command, unit)
+        texture = machine.texture_of(command, unit)
+        strq = ((command.raster.texcoord,) + command.raster.more_texcoords)[unit]
+        in_place = volume_texel_in_place if texture.with_r else texel_in_place
+        texel = in_place(state.of_unit(unit), profile, texture, strq)
+        texels[unit] = (np.repeat(texel, len(colors), axis=0), texture.format)
+    colors = environments(colors, texels, state, bits)
     if sums_colors(state):
         colors = summed(colors, np.array(command.raster.secondary_color[:3]), bits)
     if state.fog.enable:

@@ -42,3 +42,8 @@ class Profile:
     fog_coordinate: bool = False
     occlusion_query: bool = False
     clip_control: bool = False
+    texture_units: bool = False
+    texture_depth: bool = False
+    texture_cube: bool = False
+    texture_seamless: bool = False
+    texture_3d: bool = False

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from .images import image_of
 from .profile import Profile
 from .state import Box, State, float32, identity
 
@@ -49,6 +50,8 @@ def filled(value, given):
         if part is None: continue  # [R15.1]
         if is_dataclass(current):
             filled(current, part)
+        elif member.name == "more_textures":
+            value.more_textures = [filled(State(), unit) for unit in part] or None
         elif member.name == "polygon_stipple":
             value.polygon_stipple = tuple(int(row) for row in part)
         elif isinstance(current, tuple):
@@ -74,6 +77,9 @@ class Material:
     alpha: float = 1.0
 
 
+ORIGINS = ((0.0, 0.0, 0.0, 1.0),) * 3
+
+
 @dataclass
 class CurrentValues:
     """[R5.9]"""
@@ -82,6 +88,7 @@ class CurrentValues:
     texcoord: tuple = (0.0, 0.0, 0.0, 1.0)
     secondary_color: tuple = (0.0,) * 3
     fog_coordinate: float = 0.0
+    more_texcoords: tuple = ORIGINS
 
 
 @dataclass
@@ -95,15 +102,17 @@ class RasterPosition:
     distance: float = 0.0
     secondary_color: Any = None
     fog_coordinate: float = 0.0
+    more_texcoords: tuple = ORIGINS
 
 
 def raster_of(c):
-    """Two members are the command's own."""
+    """Some members are the command's own."""
     given = c.raster
     position = filled(RasterPosition(), given) if given is not None else RasterPosition()
     position.color = channels(position.color)
     position.secondary_color = channels(c.rasterSecondaryColor)
     position.fog_coordinate = c.rasterFogCoordinate
+    position.more_texcoords = texcoords_of(c)
     return position
 
 
@@ -112,8 +121,9 @@ def channels(c):
 
 
 def current_of(c):
-    """[R5.9] Two values are the command's own."""
+    """[R5.9] Some values are the command's own."""
     current = filled(CurrentValues(), c.current) if c.current else CurrentValues()
+    current.more_texcoords = texcoords_of(c)
     if c.currentSecondaryColor:
         current.secondary_color = vector(c.currentSecondaryColor)
     current.fog_coordinate = c.currentFogCoordinate
@@ -153,6 +163,13 @@ class Mesh:
     material_indices: list
     secondary_colors: list
     fog_coordinates: list
+    more_texcoords: list
+
+    def texcoords_of(self, unit, i):
+        """[R10.37] (s, t, r, q); None if the mesh has none."""
+        st, rq = ((self.texcoords, self.texcoords_rq) if unit == 0
+                  else self.more_texcoords[unit - 1])
+        return st[i] + (rq[i] if rq else (0.0, 1.0)) if st else None
 
 
 def mesh_of(table):
@@ -173,43 +190,9 @@ def mesh_of(table):
                 [(filled(Material(), m.front), filled(Material(), m.back))
                  for m in data.materials or []],
                 integers("materialIndices"), vectors("secondaryColors"),
-                [] if data.fogCoordinates is None else [float(v) for v in data.fogCoordinates])
-
-
-@dataclass
-class Image:
-    """A texture: texels of level 0, or the levels that were given."""
-    texels: Any
-    given: Any = None
-    format: int = 0
-    dimensions: int = 2
-    border: bool = False
-    srgb: bool = False
-
-
-def image_of(table):
-    """[R5.4], [R15.2] Rows of texels of 16 bits, from the bottom."""
-    if table.Texels8Length():
-        texels = table.Texels8AsNumpy().astype(np.int64) * 257
-    else:
-        texels = table.Texels16AsNumpy().astype(np.int64)
-    if table.LevelCount() == 0:
-        return Image(texels.reshape(table.Height(), table.Width(), 4), srgb=table.Srgb())
-    return Image(None, given_levels(table, texels), table.Format(), table.Dimensions(),
-                 table.Border(), table.Srgb())
-
-
-def given_levels(table, texels):
-    """[R10.23] Level after level, borders included."""
-    levels, more = [], 2 if table.Border() else 0
-    width, height = table.Width(), table.Height()
-    for _ in range(table.LevelCount()):
-        rows = height + (more if table.Dimensions() == 2 else 0)
-        size = 4 * (width + more) * rows
-        levels.append(texels[:size].reshape(rows, width + more, 4))
-        texels = texels[size:]
-        width, height = max(1, width // 2), max(1, height // 2)
-    return levels
+                [] if data.fogCoordinates is None else [float(v) for v in data.fogCoordinates],
+                [tuple([vector(v) for v in part or []] for part in (unit.st, unit.rq))
+                 for unit in data.moreTexcoords or []] or [([], [])] * 3)
 
 
 # ---- Commands -------------------------------------------------------------------------------
@@ -227,13 +210,28 @@ class Command:
         except KeyError:
             raise AttributeError(name) from None
 
-    def is_textured(self):
+    def is_textured(self, unit=0):
         """[R5.2]"""
-        return self.texture is not None or self.slot is not None
+        return self.texture_of(unit) is not None or self.slot_of(unit) is not None
+
+    def texture_of(self, unit):
+        return self.textures[unit]
+
+    def slot_of(self, unit):
+        return self.slots[unit]
+
+    def units(self):
+        """[R10.37] Those that are on."""
+        return [unit for unit in range(4) if self.is_textured(unit)]
 
 
 def box(given):
     return filled(Box(), given) if given is not None else Box()
+
+
+def texcoords_of(c):
+    """Current ones of units 1 to 3."""
+    return tuple(vector(v) for v in c.moreTexcoords or []) or ORIGINS
 
 
 def rgba(colors):
@@ -318,11 +316,18 @@ class Reader:
                 "eye_from_object": matrix(c.eyeFromObject) if c.eyeFromObject else identity(),
                 "material": filled(Material(), c.material) if c.material else Material(),
                 "lights": [] if c.lights == NONE else self.light_sets[c.lights],
-                "texture": None if c.texture == NONE else self.textures[c.texture],
-                "slot": None if c.slot == NONE else c.slot,
-                "id_base": c.idBase, "id_shift": c.idShift,
+                **self.maps_of(c), "id_base": c.idBase, "id_shift": c.idShift,
                 "back_material": filled(Material(), c.backMaterial) if c.backMaterial else None,
                 "current": current_of(c)}
+
+    def maps_of(self, c):
+        """[R10.37] By unit."""
+        def more(given):
+            return [NONE] * 3 if given is None or len(given) == 0 else list(given)
+
+        return {"textures": [None if place == NONE else self.textures[place]
+                             for place in [c.texture] + more(c.moreTextures)],
+                "slots": [None if slot == NONE else slot for slot in [c.slot] + more(c.moreSlots)]}
 
     def read_WriteSpans(self, c):
         return {"spans": c.spans or [], "colors": rgba(c.colors), "depth": c.depth}
@@ -358,40 +363,4 @@ class Reader:
                 "zoom_x": c.zoomX, "zoom_y": c.zoomY,
                 "colors": rgba(c.colors) if c.colors else None, "depths": integers(c.depths),
                 "stencils": integers(c.stencils), "bits": integers(c.bits), "source": c.source,
-                "texture": None if c.texture == NONE else self.textures[c.texture],
-                "slot": None if c.slot == NONE else c.slot}
-
-
-# ---- Files ----------------------------------------------------------------------------------
-
-
-def root_of(data, path):
-    table = generated("Recording").GetRootAs(data, 0)
-    if table.Version() not in (1, 2):
-        raise ValueError(f"{path}: version {table.Version()}; expected 1 or 2")
-    return table
-
-
-def parts_of(data):
-    """The parts of a stream: after 8 bytes each with size and digest, at the end a size of 0."""
-    place = 8
-    while size := int.from_bytes(data[place:place + 8], "little"):
-        yield data[place + 24:place + 24 + size]
-        place += 24 + size
-
-
-def readers(path):
-    """The machine of a recording, or those of a stream's windows."""
-    with open(path, "rb") as file:
-        data = file.read()
-    values, machines, opened = Values(), [], {}
-    is_stream = data[4:8] == b"GWTS"
-    for part in parts_of(data) if is_stream else [data]:
-        table = root_of(part, path)
-        values.add(table)
-        window = (table.Window() or b"").decode()
-        if table.Event() == generated("WindowEvent").Open or not is_stream:
-            opened[window] = Reader(window, table, values)
-            machines.append(opened[window])
-        opened[window].parts.append(table)
-    return machines
+                **self.maps_of(c)}

@@ -4,6 +4,7 @@ import math
 import numpy as np
 
 from .elementary import exp, power
+from .fragments import compare
 from .numbers import clamp, one, quantize, rescale, to_integer_array
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
 from .state import MagFilter, MinFilter, TextureFormat, Wrap
@@ -78,6 +79,7 @@ class Texture:
         self.levels, self.depths = levels, depths
         self.bordered = [None] * len(levels)  # the levels with their borders [R10.25]
         self.format, self.dimensions = TextureFormat.RGBA, 2
+        self.cube = self.with_r = False
 
     @classmethod
     def of_image(cls, image, profile):
@@ -204,18 +206,31 @@ class Lod:
         return np.minimum(np.maximum(rho * self.scale, self.least), self.greatest)
 
 
+def bilinear(a, b, c, d, p, q, bits):
+    """[R10.11] Of the lower row and the upper one, at positions p, q."""
+    x, y = (p & 255)[:, None], (q & 255)[:, None]
+    if bits == 8:
+        t0 = 64 * a + (((b - a) * 64 * x + 128) >> 8)
+        t1 = 64 * c + (((d - c) * 64 * x + 128) >> 8)
+        return (t0 + (((t1 - t0) * y + 128) >> 8) + 32) >> 6
+    lower, upper = a * (256 - x) + b * x, c * (256 - x) + d * x
+    return (lower * (256 - y) + upper * y + 2**15) >> 16
+
+
 class TextureStage:
     """Looks one draw's texture up at the pixels of one piece, line or point."""
 
-    def __init__(self, state, profile, texture, projective):
-        """state: the whole one."""
+    def __init__(self, state, profile, texture, projective, unit=0):
+        """state: the unit's."""
+        self.unit = unit
+        self.compare_func = state.compare_func
         self.border_color = state.border_color
         self.state, self.profile, self.texture = state.texture, profile, texture
         self.lod = Lod(state.texture_lod, len(texture.levels))
         self.projective = projective  # [R10.22]
 
     def texels(self, frame, corners, x, y):
-        given = [c.vertex.texture for c in corners]
+        given = [c.vertex.textures[self.unit] for c in corners]
         w = [c.w for c in corners]
         if self.projective:
             denominator = Projective(frame, w, [g[3] for g in given])
@@ -304,15 +319,9 @@ class TextureStage:
         p, q = s.limited(p, w) - 128, t.limited(q, h) - 128
         left, right = (s.filtered_index((p >> 8) + k, w) for k in (0, 1))
         low, high = (t.filtered_index((q >> 8) + k, h) for k in (0, 1))
-        x, y = (p & 255)[:, None], (q & 255)[:, None]
         a, b = around[low + 1, left + 1], around[low + 1, right + 1]
         c, d = around[high + 1, left + 1], around[high + 1, right + 1]
-        if self.profile.color_bits == 8:
-            t0 = 64 * a + (((b - a) * 64 * x + 128) >> 8)
-            t1 = 64 * c + (((d - c) * 64 * x + 128) >> 8)
-            return (t0 + (((t1 - t0) * y + 128) >> 8) + 32) >> 6
-        lower, upper = a * (256 - x) + b * x, c * (256 - x) + d * x
-        return (lower * (256 - y) + upper * y + 2**15) >> 16
+        return bilinear(a, b, c, d, p, q, self.profile.color_bits)
 
     def with_border(self, level):
         """[R10.25] A level with a texel more on each side."""
@@ -338,7 +347,7 @@ class TextureStage:
         around = np.pad(self.texture.depths, 1, constant_values=quantize(
             self.border_color[0], self.profile.depth_bits))  # [R10.30]
         stored = around[t.wrapped(t.position(h) >> 8, h) + 1, s.wrapped(s.position(w) >> 8, w) + 1]
-        lit = np.where(depth <= stored, one(self.profile.color_bits), 0)
+        lit = np.where(compare(self.compare_func, depth, stored), one(self.profile.color_bits), 0)
         return np.repeat(lit[:, None], 4, axis=1)
 
 

@@ -31,11 +31,18 @@ def by_rule(rule, k, own, p, p_eye, point, n):
         return dot4(rule.plane, p_eye)
     if rule.mode == CoordinateMode.SphereMap:
         return sphere_map(reflected(unit(point), n))[k]
+    if rule.mode == CoordinateMode.NormalMap:  # [R10.43]
+        return n[k]
+    if rule.mode == CoordinateMode.ReflectionMap:
+        return reflected(unit(point), n)[k]
     return own
 
 
-def divided_by_q(state, draw):
-    """[R10.22]"""
+def divided_by_q(state, draw, texture_unit):
+    """[R10.22], [R10.38]; state: of the unit"""
+    image = draw.texture_of(texture_unit)
+    if image is not None and image.needs_r():
+        return True
     gen, m = state.texture.gen, state.texture_matrix
     if gen == TexGen.EyeLinear:
         return True
@@ -45,9 +52,12 @@ def divided_by_q(state, draw):
         return True
     if gen not in (NO_TEXGEN, TexGen.PerCoordinate):
         return False
-    if draw.mesh.texcoords:
-        return bool(draw.mesh.texcoords_rq)
-    return draw.current.texcoord[3] != 1
+    st, rq = ((draw.mesh.texcoords, draw.mesh.texcoords_rq) if texture_unit == 0
+              else draw.mesh.more_texcoords[texture_unit - 1])
+    if st:
+        return bool(rq)
+    current = (draw.current.texcoord,) + draw.current.more_texcoords
+    return current[texture_unit][3] != 1
 
 
 def reflected(u, n):

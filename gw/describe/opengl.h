@@ -190,6 +190,11 @@ inline constexpr OpenglWord<CombineSource> opengl_words<CombineSource>[] = {
     {CombineSource::Constant, 0x8576},      // GL_CONSTANT
     {CombineSource::PrimaryColor, 0x8577},  // GL_PRIMARY_COLOR
     {CombineSource::Previous, 0x8578},      // GL_PREVIOUS
+    // GL_TEXTURE0, GL_TEXTURE1, GL_TEXTURE2, GL_TEXTURE3
+    {CombineSource::Texture0, 0x84C0, &Extensions::texture_units},
+    {CombineSource::Texture1, 0x84C1, &Extensions::texture_units},
+    {CombineSource::Texture2, 0x84C2, &Extensions::texture_units},
+    {CombineSource::Texture3, 0x84C3, &Extensions::texture_units},
 };
 template <>
 inline constexpr OpenglWord<CombineOperand> opengl_words<CombineOperand>[] = {

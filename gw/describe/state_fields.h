@@ -184,7 +184,8 @@ template <>
 inline constexpr auto sentence_of<CoordinateGen> = "The rule of one texture coordinate.";
 template <>
 inline constexpr auto fields_of<CoordinateGen> = std::tuple(
-    field("mode", &CoordinateGen::mode, "R10.20", "The rule.", restricted("SphereMap: of s and t")),
+    field("mode", &CoordinateGen::mode, "R10.20", "The rule.",
+          restricted("SphereMap: of s and t; extension: NormalMap, ReflectionMap, not of q")),
     field("plane", &CoordinateGen::plane, "R10.20", "Of linear rules."));
 
 template <>
@@ -203,9 +204,12 @@ template <>
 inline constexpr auto fields_of<CombineState> =
     std::tuple(field("func", &CombineState::func, "R10.34", "The function.",
                      restricted("alpha: not Dot3Rgb, Dot3Rgba")),
-               field("source0", &CombineState::source0, "R10.33", "Of the first argument."),
-               field("source1", &CombineState::source1, "R10.33", "Of the second argument."),
-               field("source2", &CombineState::source2, "R10.33", "Of the third argument."),
+               field("source0", &CombineState::source0, "R10.33", "Of the first argument.",
+                     restricted("extension: Texture0 .. 3")),
+               field("source1", &CombineState::source1, "R10.33", "Of the second argument.",
+                     restricted("extension: Texture0 .. 3")),
+               field("source2", &CombineState::source2, "R10.33", "Of the third argument.",
+                     restricted("extension: Texture0 .. 3")),
                field("operand0", &CombineState::operand0, "R10.33", "Of the first argument."),
                field("operand1", &CombineState::operand1, "R10.33", "Of the second argument."),
                field("operand2", &CombineState::operand2, "R10.33", "Of the third argument."),
@@ -229,6 +233,11 @@ inline constexpr auto fields_of<TextureState> = std::tuple(
     field("matrix", &TextureState::matrix, "R10.21", "Applied to texture coordinates."),
     field("border_color", &TextureState::border_color, "R10.25", "Of BorderClamp, ClampToBorder."),
     field("shadow_compare", &TextureState::shadow_compare, "R10.18", "1 if r <= texel, else 0.",
+          restricted("extension")),
+    field("compare_func", &TextureState::compare_func, "R10.41", "Of r and texel.",
+          restricted("extension")),
+    field("wrap_r", &TextureState::wrap_r, "R10.45", "Of r.", restricted("extensions")),
+    field("seamless", &TextureState::seamless, "R10.44", "Filters reach over a cube's edges.",
           restricted("extension")),
     field("lod", &TextureState::lod, "", "The levels that are used."),
     field("combine_rgb", &TextureState::combine_rgb, "", "Of TexEnv.Combine: colours."),
@@ -365,6 +374,8 @@ inline constexpr auto fields_of<State> = std::tuple(
           restricted("extension")),
     field("fog", &State::fog, "", "Fog."),
     field("texture", &State::texture, "", "How texels are used."),
+    field("more_textures", &State::more_textures, "R10.37",
+          "How units 1 to 3 use texels; None: their initial states.", restricted("extension")),
     field("scissor", &State::scissor, "", "The scissor test."),
     field("alpha", &State::alpha, "", "The alpha test."),
     field("stencil", &State::stencil, "", "The stencil test."),

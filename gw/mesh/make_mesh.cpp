@@ -63,6 +63,12 @@ void check_vertices(const MeshData& data) {
     check_finite(data.secondary_colors, "secondary color");
     check_finite(data.w, "w");
     check_finite(data.fog_coordinates, "fog coordinate");
+    for (const UnitTexcoords& unit : data.more_texcoords) {
+        check_length(unit.st.size(), n, "texcoord of a unit", "texcoords of a unit");
+        check_length(unit.rq.size(), unit.st.size(), "r, q of a unit", "pairs r, q of a unit");
+        check_finite(unit.st, "texcoord of a unit");
+        check_finite(unit.rq, "r, q of a unit");
+    }
     for (std::size_t i = 0; i < data.material_indices.size(); ++i)
         if (data.material_indices[i] >= data.materials.size())
             fail("material index " + std::to_string(i) + " is " +

@@ -66,27 +66,35 @@ void set_fog(Interpolants& v, std::span<const Corner> corners, const PlaneMaker&
     }
 }
 
-void set_texture(Interpolants& v, std::span<const Corner> corners, const PlaneMaker& plane,
-                 const TextureState& state) {
+void set_texture(Interpolants& values, std::size_t unit, std::span<const Corner> corners,
+                 const PlaneMaker& plane, const TextureState& state) {
+    TextureValues& v = values.textures[unit];
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
     if (v.projective) {
         std::vector<dvec4> strq;
-        for (const Corner& c : corners) strq.push_back(c.texcoord);
+        for (const Corner& c : corners) strq.push_back(c.texcoord_of(unit));
         const Projective p = projective(strq, w);
-        v.texture_q = plane(p.denominator);
+        v.q = plane(p.denominator);
         v.s = perspective_value(p.numerator[0], plane);
         v.t = perspective_value(p.numerator[1], plane);
         v.r = perspective_value(p.numerator[2], plane);
     } else {
-        const auto s = gather_doubles(corners, [](const Corner& c) { return c.texcoord.x; });
-        const auto t = gather_doubles(corners, [](const Corner& c) { return c.texcoord.y; });
-        v.texture_q = v.q;
-        v.s = perspective_value(texture_numerators(s, w, repeats(state.wrap_s)), plane);
-        v.t = perspective_value(texture_numerators(t, w, repeats(state.wrap_t)), plane);
+        const auto along = [&](int c) {
+            return gather_doubles(corners,
+                                  [&](const Corner& at) { return at.texcoord_of(unit)[c]; });
+        };
+        v.q = values.q;
+        v.s = perspective_value(texture_numerators(along(0), w, repeats(state.wrap_s)), plane);
+        v.t = perspective_value(texture_numerators(along(1), w, repeats(state.wrap_t)), plane);
     }
-    const PlaneSlope q = slope_of(v.texture_q, v.slope_x, v.slope_y);
-    v.s.slope = coordinate_slope(slope_of(v.s.plane, v.slope_x, v.slope_y), q);
-    v.t.slope = coordinate_slope(slope_of(v.t.plane, v.slope_x, v.slope_y), q);
+    const auto slope = [&](const PlaneEquation& p) {
+        return slope_of(p, values.slope_x, values.slope_y);
+    };
+    v.q_slope = slope(v.q);
+    for (PerspectiveValue* const c : {&v.s, &v.t, &v.r}) {
+        c->plane_slope = slope(c->plane);
+        c->slope = coordinate_slope(c->plane_slope, v.q_slope);
+    }
 }
 
 }  // namespace
@@ -100,7 +108,7 @@ float PerspectiveValue::at(int x, int y, float w) const {
 }
 
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
-                          const Resolved& r, const Profile& profile, TextureUse texture) {
+                          const Resolved& r, const Profile& profile, const TextureUses& textures) {
     Interpolants v;
     v.depth = plane(gather(corners, [](const Corner& c) { return std::int64_t{c.window.z}; }));
     const auto w = gather_doubles(corners, [](const Corner& c) { return c.window.w; });
@@ -114,8 +122,11 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
     v.color = colors(&Corner::color);
     if (sums_colors(r.state)) v.secondary = colors(&Corner::secondary);
     if (r.state.fog.enable) set_fog(v, corners, plane, r);
-    v.projective = texture == TextureUse::Projective;
-    if (texture != TextureUse::None) set_texture(v, corners, plane, r.state.texture);
+    for (std::size_t unit = 0; unit < textures.size(); ++unit) {
+        v.textures[unit].projective = textures[unit] == TextureUse::Projective;
+        if (textures[unit] != TextureUse::None)
+            set_texture(v, unit, corners, plane, texture_of(r.state, unit));
+    }
     return v;
 }
 
@@ -130,14 +141,16 @@ Interpolants limited_to_pixel(Interpolants v, int x, int y) {
     limit(v.depth);
     limit(v.fog);
     limit(v.q);
-    limit(v.texture_q);
     limit_over(v.fog_coordinate.plane, v.q);
     for (ColorPlanes* color : {&v.color, &v.secondary}) {
         for (PlaneEquation& c : color->plane) limit(c);
         for (PlaneEquation& c : color->numerator) limit_over(c, v.q);
     }
-    for (PerspectiveValue* coordinate : {&v.s, &v.t, &v.r})
-        v.projective ? limit(coordinate->plane) : limit_over(coordinate->plane, v.texture_q);
+    for (TextureValues& t : v.textures) {
+        limit(t.q);
+        for (PerspectiveValue* coordinate : {&t.s, &t.t, &t.r})
+            t.projective ? limit(coordinate->plane) : limit_over(coordinate->plane, t.q);
+    }
     return v;
 }
 

@@ -18,6 +18,11 @@ struct Corner {
     dvec4 texcoord{0, 0, 0, 1};
     std::array<std::int64_t, 4> color{}, secondary{};
     double fog = 0;
+    std::array<dvec4, max_texture_units - 1> more_texcoords{};
+
+    const dvec4& texcoord_of(std::size_t unit) const {
+        return unit == 0 ? texcoord : more_texcoords[unit - 1];
+    }
 };
 
 /// Makes a plane from values at the corners, in their order: of a triangle, of a line, or constant.
@@ -28,7 +33,8 @@ struct PerspectiveValue {
     PlaneEquation plane;
     double offset = 0;
     int exponent = 0;
-    CoordinateSlope slope;  ///< for rho
+    CoordinateSlope slope;     ///< for rho
+    PlaneSlope plane_slope{};  ///< the same, of textures with r
 
     float at(int x, int y, float w) const;  ///< U W, without exponent and offset
 };
@@ -40,6 +46,14 @@ struct ColorPlanes {
     std::array<std::array<std::int64_t, 2>, 4> range{};  ///< least and largest corner value
 };
 
+/// The texture coordinates of a unit.
+struct TextureValues {
+    PlaneEquation q;  ///< denominator; differs from that of other values if they are projective
+    PlaneSlope q_slope{};
+    bool projective = false;
+    PerspectiveValue s, t, r;
+};
+
 struct Interpolants {
     PlaneEquation depth;
     ColorPlanes color, secondary;
@@ -47,18 +61,17 @@ struct Interpolants {
     PlaneEquation fog;                ///< factor (fog at the vertex)
     PerspectiveValue fog_coordinate;  ///< fragment fog
     PlaneEquation q;                  ///< denominator of all perspective values
-    /// denominator of texture coordinates; differs from q if they are projective
-    PlaneEquation texture_q;
-    bool projective = false;
-    PerspectiveValue s, t, r;
-    int slope_x = 0, slope_y = 0;  ///< the pixel that the slopes refer to
+    std::array<TextureValues, max_texture_units> textures;  ///< by unit
+    int slope_x = 0, slope_y = 0;                           ///< the pixel that the slopes refer to
 };
 
-/// How a draw's texture coordinates are interpolated.
+/// How a unit's texture coordinates are interpolated.
 enum class TextureUse { None, Plain, Projective };
+using TextureUses = std::array<TextureUse, max_texture_units>;
 
 Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& plane,
-                          const Resolved& state, const Profile& profile, TextureUse texture);
+                          const Resolved& state, const Profile& profile,
+                          const TextureUses& textures);
 
 /// The same values at one pixel outside the primitive: each plane is limited to the values of its
 /// corners.

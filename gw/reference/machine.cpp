@@ -87,15 +87,25 @@ private:
         if (binding.slot) return &slots_.at(*binding.slot);
         if (!binding.texture) return nullptr;
         auto& entry = texels_[binding.texture];
-        if (entry.levels.empty())
-            entry = make_texels(*binding.texture, profile_.color_bits, texel_bits(profile_));
+        if (entry.levels.empty()) entry = make_texels(*binding.texture, texel_bits_of(profile_));
         return &entry;
     }
 
+    BoundTexels bound(const auto& command) {
+        BoundTexels out{};
+        for (std::size_t unit = 0; unit < out.size(); ++unit)
+            out[unit] = texels(map_of(command, unit));
+        return out;
+    }
+
     /// The look-ups of the fragments that were made since there were `before`.
-    void count_texels(std::uint64_t before) {
-        pass().counters.texels +=
-            (pass().counters.fragments - before) * texel_count(state_.texture.min_filter);
+    void count_texels(std::uint64_t before, const BoundTexels& texels) {
+        const std::uint64_t fragments = pass().counters.fragments - before;
+        for (std::size_t unit = 0; unit < texels.size(); ++unit)
+            if (texels[unit])
+                pass().counters.texels +=
+                    fragments * std::uint64_t(look_ups(texture_of(state_, unit).min_filter,
+                                                       texels[unit]->dimensions));
     }
 
     void run_command(const BeginPass& command) {
@@ -104,14 +114,14 @@ private:
     }
     void run_command(const SetState& command) { state_ = command.state; }
     void run_command(const Draw& command) {
-        DrawContext context{&command, &profile_, resolved(), {}, nullptr, {}};
+        DrawContext context{&command, &profile_, resolved(), {}, {}, {}};
         context.target = target(context.state);
-        if (state_.color_source != ColorSource::PolygonId) context.texels = texels(command.map);
+        if (state_.color_source != ColorSource::PolygonId) context.texels = bound(command);
         if (context.state.fragment_fog && state_.fog.enable)
             context.fog_table = fog_table(state_.fog, profile_.color_bits);
         const std::uint64_t before = pass().counters.fragments;
         draw_mesh(context);
-        if (context.texels) count_texels(before);
+        count_texels(before, context.texels);
     }
     void run_command(const WriteSpans& command) {
         const Resolved r = resolved();
@@ -123,10 +133,10 @@ private:
             count_source(command, target(r), profile_);
             return run_command(with_values(command, state_.read_buffer, planes_));
         }
-        const Texels* const used = texels(command.map);
+        const BoundTexels used = bound(command);
         const std::uint64_t before = pass().counters.fragments;
         run(command, r, target(r), profile_, used);
-        if (used) count_texels(before);
+        count_texels(before, used);
     }
     void run_command(const Query& command) { queries_.run(command, passes_); }
     void run_command(const SwapBuffers& command) { run(command, target(resolved())); }

@@ -147,7 +147,7 @@ void count_source(const DrawPixels& command, const FragmentTarget& target, const
 }
 
 void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& target,
-         const Profile& profile, const Texels* texels) {
+         const Profile& profile, const BoundTexels& texels) {
     const PlacedPixels placed(command, r, profile, texels);
     const Rect& box = placed.box();
     for (int y = box.y; y < box.y + box.height; ++y)

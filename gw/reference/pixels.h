@@ -23,7 +23,7 @@ void run(const Copy& command, const Resolved& state, const FragmentTarget& targe
 void count_source(const DrawPixels& command, const FragmentTarget& target, const Profile& profile);
 /// `texels` null: texturing is off.
 void run(const DrawPixels& command, const Resolved& state, const FragmentTarget& target,
-         const Profile& profile, const Texels* texels);
+         const Profile& profile, const BoundTexels& texels);
 void run(const SwapBuffers& command, const FragmentTarget& target);
 Readback run(const Read& command, const Resolved& state, const FragmentTarget& target,
              const Profile& profile);

@@ -17,7 +17,7 @@ namespace {
 struct Drawing {
     const DrawContext& context;
     std::vector<Vertex> vertices;
-    TextureUse texture_use = TextureUse::None;
+    TextureUses texture_uses{};
 
     const State& state() const { return context.state.state; }
     Counters& counters() const { return *context.target.counters; }
@@ -61,7 +61,7 @@ std::array<std::int64_t, 4> id_color(const Drawing& d, std::uint32_t polygon) {
 }
 
 Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
-    Corner out{d.window(v), v.texcoord, {}, {}, v.fog};
+    Corner out{d.window(v), v.texcoord, {}, {}, v.fog, v.more_texcoords};
     const Vertex& from = d.state().shade_model == ShadeModel::Flat ? d.vertices[s.provoking] : v;
     out.color = integers(s.front ? from.color : from.back_color);
     out.secondary = integers(s.front ? from.secondary : from.back_secondary);
@@ -72,7 +72,7 @@ Corner corner(const Drawing& d, const Vertex& v, const Source& s) {
 Shader shader(const Drawing& d, std::span<const Corner> corners, const PlaneMaker& plane,
               const Source& s) {
     const DrawContext& c = d.context;
-    return {c, interpolants(corners, plane, c.state, *c.profile, d.texture_use), s.primitive,
+    return {c, interpolants(corners, plane, c.state, *c.profile, d.texture_uses), s.primitive,
             s.front, s.depth_offset};
 }
 
@@ -254,9 +254,11 @@ void draw_triangle(const Drawing& d, const Triangle& t, std::uint32_t ordinal,
 void draw_mesh(const DrawContext& context) {
     const Mesh& mesh = *context.draw->mesh;
     Drawing d{context, {}};
-    if (context.texels)
-        d.texture_use = divides_by_q(d.state().texture, *context.draw) ? TextureUse::Projective
-                                                                       : TextureUse::Plain;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (context.texels[unit])
+            d.texture_uses[unit] = divides_by_q(texture_of(d.state(), unit), *context.draw, unit)
+                                       ? TextureUse::Projective
+                                       : TextureUse::Plain;
     const VertexProgram program =
         vertex_program(context.state.state, *context.draw, *context.profile);
     for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)

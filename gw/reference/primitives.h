@@ -7,6 +7,7 @@
 #include "gw/reference/fragment.h"
 #include "gw/stages/texels.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,7 @@ struct DrawContext {
     const Profile* profile = nullptr;
     Resolved state;
     FragmentTarget target;
-    const Texels* texels = nullptr;        ///< null: texturing is off
+    BoundTexels texels{};
     std::vector<std::uint32_t> fog_table;  ///< fragment fog
 };
 

@@ -33,16 +33,27 @@ std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
     return static_cast<std::uint32_t>(a + (((b - a) * (position & 255) + 128) >> 8));
 }
 
+/// All units' texels, then their environments in the order of the units.
+Rgba textured_color(const Shader& s, const Rgba& primary, int x, int y) {
+    const Resolved& r = s.context.state;
+    UnitTexels texels;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (const Texels* const of = s.context.texels[unit])
+            texels.set(unit, of->format,
+                       texel_at(s.values, unit, *of, r, s.context.profile->depth_bits, x, y));
+    Rgba color = primary;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (texels.has(unit))
+            color = unit_environment(texture_of(r.state, unit), texels, unit, primary, color,
+                                     r.texture(unit).env_color, r.bits);
+    return color;
+}
+
 Rgba shaded_color(const Shader& s, int x, int y) {
     const Resolved& r = s.context.state;
     Rgba color = color_at(s.values, s.values.color, x, y, r.bits);
     if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
-    if (s.context.texels) {
-        const Rgba texel =
-            texel_at(s.values, *s.context.texels, r, s.context.profile->depth_bits, x, y);
-        color = texture_environment(r.state.texture, s.context.texels->format, color, texel,
-                                    r.env_color, r.bits);
-    }
+    color = textured_color(s, color, x, y);
     if (sums_colors(r.state))
         color = sum_of_colors(color, color_at(s.values, s.values.secondary, x, y, r.bits), r.bits);
     if (r.state.fog.enable) color = apply_fog(color, fog_factor_at(s, x, y), r.fog_color, r.bits);

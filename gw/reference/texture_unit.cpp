@@ -1,5 +1,8 @@
 #include "gw/reference/texture_unit.h"
 
+#include "gw/stages/textures/layers.h"
+#include "gw/stages/tables.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -18,14 +21,14 @@ namespace {
 
 /// One pixel's texel positions.
 struct Coordinates {
-    const Interpolants& values;
+    const TextureValues& values;
     int x, y;
     float w;
     bool any_size;
 
     int at(const PerspectiveValue& value, int size, Wrap wrap) const {
         const bool wide = !values.projective && value.exponent > largest_exponent_in_float;
-        const std::int64_t u = value.plane.at(x, y), q = values.texture_q.at(x, y),
+        const std::int64_t u = value.plane.at(x, y), q = values.q.at(x, y),
                            k = added_part(value.offset, wrap);
         if (any_size || wrap == Wrap::MirroredRepeat)
             return any_position(wide ? double(u) / double(q) : double(value.at(x, y, w)),
@@ -37,9 +40,8 @@ struct Coordinates {
 };
 
 /// GL's rho = max(m_u, m_v) in texels of the base level per pixel, with bias and limits.
-float rho_at(const Interpolants& v, const TexelLevel& base, const Resolved& r, float w, int x,
-             int y) {
-    const int dx = x - v.slope_x, dy = y - v.slope_y;
+float rho_at(const TextureValues& v, const TexelLevel& base, const ResolvedTexture& r, float w,
+             int dx, int dy) {
     const double s = std::ldexp(v.s.slope.at(dx, dy), v.s.exponent) * base.width;
     const double t = std::ldexp(v.t.slope.at(dx, dy), v.t.exponent) * base.height;
     const float rho = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
@@ -51,35 +53,48 @@ Rgba grey(std::uint32_t v) {
     return {c, c, c, c};
 }
 
-/// Whether r <= the depth of the nearest texel.
-bool is_lit(const Coordinates& at, const Texels& texels, const TexelLevel& level, const Resolved& r,
-            int depth_bits) {
-    const Interpolants& v = at.values;
-    const TextureState& s = r.state.texture;
+/// Whether r passes the comparison with the depth of the nearest texel.
+bool is_lit(const Coordinates& at, const Texels& texels, const TexelLevel& level,
+            const TextureState& s, const ResolvedTexture& r, int depth_bits) {
+    const TextureValues& v = at.values;
     const int i = at.at(v.s, level.width, s.wrap_s) >> 8;
     const int j = at.at(v.t, level.height, s.wrap_t) >> 8;
     const double depth = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + depth_bits);
-    return to_integer(std::floor(depth), 0, max_of_bits(depth_bits)) <=
-           nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j,
-                         r.border_depth);
+    const auto incoming =
+        static_cast<std::uint32_t>(to_integer(std::floor(depth), 0, max_of_bits(depth_bits)));
+    return compare(
+        s.compare_func, incoming,
+        nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j, r.border_depth));
+}
+
+PixelCoordinates coordinates_with_r(const TextureValues& v, int x, int y, int dx, int dy) {
+    const auto at = [&](const PerspectiveValue& c) {
+        return PixelCoordinate{c.plane.at(x, y), c.exponent, c.plane_slope};
+    };
+    return {{at(v.s), at(v.t), at(v.r)}, v.q.at(x, y), v.q_slope, dx, dy};
 }
 
 }  // namespace
 
-Rgba texel_at(const Interpolants& v, const Texels& texels, const Resolved& r, int depth_bits, int x,
-              int y) {
-    const TextureState& s = r.state.texture;
+Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels,
+              const Resolved& resolved, int depth_bits, int x, int y) {
+    const TextureValues& v = values.textures[unit];
+    const TextureState& s = texture_of(resolved.state, unit);
+    const ResolvedTexture& r = resolved.texture(unit);
+    const int dx = x - values.slope_x, dy = y - values.slope_y;
+    if (texels.with_r)
+        return texel_with_r(texels, s, r, depth_bits, coordinates_with_r(v, x, y, dx, dy));
     const std::uint32_t one = max_of_bits(texels.bits);
-    if (v.projective && v.texture_q.at(x, y) < 1) return grey(one);
-    const float w = reciprocal(v.texture_q, x, y);
+    if (v.projective && v.q.at(x, y) < 1) return grey(one);
+    const float w = reciprocal(v.q, x, y);
     const Coordinates at{v, x, y, w, texels.any_size};
     const int base = level_range(s, int(texels.levels.size())).base;
     const TexelLevel& first = texels.levels[std::size_t(base)];
-    if (s.shadow_compare) return grey(is_lit(at, texels, first, r, depth_bits) ? one : 0);
+    if (s.shadow_compare) return grey(is_lit(at, texels, first, s, r, depth_bits) ? one : 0);
 
     LevelChoice choice{.magnify = true, .level = base};
     if (needs_rho(s))
-        choice = choose_level(s, rho_at(v, first, r, w, x, y), int(texels.levels.size()));
+        choice = choose_level(s, rho_at(v, first, r, w, dx, dy), int(texels.levels.size()));
 
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];

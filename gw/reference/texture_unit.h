@@ -11,8 +11,8 @@ namespace gw::reference {
 /// U W 2^e in units of 1/256 texel of a level whose side is 2^log2_size; `uw` is U W.
 int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wrap wrap);
 
-/// The texture's value at a pixel that the primitive covers.
-Rgba texel_at(const Interpolants& values, const Texels& texels, const Resolved& state,
-              int depth_bits, int x, int y);
+/// The value of a unit's texture at a pixel that the primitive covers.
+Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels,
+              const Resolved& state, int depth_bits, int x, int y);
 
 }  // namespace gw::reference

@@ -50,6 +50,10 @@ Vertex interpolate(const Vertex& in, const Vertex& out, double t) {
         v.secondary[c] = round_even(mix(in.secondary[c], out.secondary[c], t));
         v.back_secondary[c] = round_even(mix(in.back_secondary[c], out.back_secondary[c], t));
     }
+    for (std::size_t unit = 0; unit < v.more_texcoords.size(); ++unit)
+        for (int i = 0; i < 4; ++i)
+            v.more_texcoords[unit][i] =
+                mix(in.more_texcoords[unit][i], out.more_texcoords[unit][i], t);
     v.fog = mix(in.fog, out.fog, t);
     return v;
 }

@@ -41,6 +41,15 @@ float two_to_the(float v) {
     return v == 0 ? 1.0f : static_cast<float>(exp(bounded(double(v), 126) * ln2));
 }
 
+ResolvedTexture resolve_texture(const TextureState& s, const Profile& profile) {
+    return {.env_color = quantize_color(s.env_color, profile.color_bits),
+            .border_color = quantize_color(s.border_color, profile.color_bits),
+            .rho_scale = two_to_the(s.lod.bias),
+            .least_rho = two_to_the(s.lod.min),
+            .greatest_rho = two_to_the(s.lod.max),
+            .border_depth = std::uint32_t(quantize(s.border_color.x, profile.depth_bits))};
+}
+
 ViewportTransform viewport_transform(const Rect& v, const ClipControlState& control) {
     const double half_height = v.height / 2.0;
     return {v.width / 2.0, control.origin == ClipOrigin::UpperLeft ? -half_height : half_height,
@@ -48,6 +57,12 @@ ViewportTransform viewport_transform(const Rect& v, const ClipControlState& cont
 }
 
 }  // namespace
+
+const TextureState& texture_of(const State& state, std::size_t unit) {
+    static const TextureState initial;
+    if (unit == 0) return state.texture;
+    return state.more_textures.units ? (*state.more_textures.units)[unit - 1] : initial;
+}
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height) {
     Resolved r;
@@ -75,13 +90,11 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     r.back = s.two_side ? stencil_face(s.back, s.test, r.stencil_max) : r.front;
 
     r.fog_color = quantize_color(state.fog.color, r.bits);
-    r.env_color = quantize_color(state.texture.env_color, r.bits);
     r.blend_color = quantize_color(state.blend.color, r.bits);
-    r.border_color = quantize_color(state.texture.border_color, r.bits);
-    r.border_depth = quantize(state.texture.border_color.x, profile.depth_bits);
-    r.rho_scale = two_to_the(state.texture.lod.bias);
-    r.least_rho = two_to_the(state.texture.lod.min);
-    r.greatest_rho = two_to_the(state.texture.lod.max);
+    static_cast<ResolvedTexture&>(r) = resolve_texture(state.texture, profile);
+    if (state.more_textures.units)
+        for (std::size_t i = 0; i < r.more_textures.size(); ++i)
+            r.more_textures[i] = resolve_texture((*state.more_textures.units)[i], profile);
     if (state.logic_op.enable) r.state.blend.enable = false;
     if (state.draw_buffer == DrawBuffer::None) r.state.color_mask = {false, false, false, false};
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);

@@ -17,7 +17,16 @@ struct ViewportTransform {
     bool zero_to_one = false;  ///< ClipDepth::ZeroToOne
 };
 
-struct Resolved {
+/// What is the same at all pixels of a texture unit.
+struct ResolvedTexture {
+    Rgba env_color{}, border_color{};
+    /// texture.lod: the scale factor of texels is multiplied, then clamped
+    float rho_scale = 1, least_rho = 0, greatest_rho = 0;
+    std::uint32_t border_depth = 0;  ///< the border of depths
+};
+
+/// The members of ResolvedTexture are those of unit 0.
+struct Resolved : ResolvedTexture {
     /// tests normalised; blending off under logic_op; no mask without draw buffer; cull.front is the
     /// winding in the window
     State state;
@@ -29,14 +38,16 @@ struct Resolved {
     StencilFace front, back;
     std::uint32_t stencil_max = 255;
     std::uint32_t alpha_ref = 0;
-    Rgba fog_color{}, env_color{}, blend_color{}, border_color{};
-    /// texture.lod: the scale factor of texels is multiplied, then clamped
-    float rho_scale = 1, least_rho = 0, greatest_rho = 0;
-    std::uint32_t border_depth = 0;  ///< the border of depths
+    Rgba fog_color{}, blend_color{};
+    std::array<ResolvedTexture, max_texture_units - 1> more_textures;
     bool fragment_fog = false;
     bool writes_color = true;  ///< the colour mask is set for at least one channel
     /// as given: for clears and pixel rectangles, which no depth test guards
     bool depth_mask = true;
+
+    const ResolvedTexture& texture(std::size_t unit) const {
+        return unit == 0 ? *this : more_textures[unit - 1];
+    }
 };
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height);

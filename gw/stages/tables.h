@@ -143,18 +143,52 @@ constexpr EnvironmentOp environment_op(TexEnv mode, TextureFormat format, bool a
     return mode == TexEnv::Add ? EnvironmentOp::Add : EnvironmentOp::Blend;
 }
 
+/// The texels of a pixel, by unit.
+struct UnitTexels {
+    std::array<Rgba, max_texture_units> texel{};
+    std::array<TextureFormat, max_texture_units> format{};
+    unsigned on = 0;  ///< bit k: unit k has a texture
+    constexpr bool has(std::size_t unit) const { return (on >> unit & 1) != 0; }
+    constexpr void set(std::size_t unit, TextureFormat of, const Rgba& value) {
+        texel[unit] = value;
+        format[unit] = of;
+        on |= 1u << unit;
+    }
+    /// Colours that the format lacks are 0.
+    constexpr Rgba argument(std::size_t unit) const {
+        if (format[unit] != TextureFormat::Alpha) return texel[unit];
+        return {0, 0, 0, texel[unit][3]};
+    }
+};
+
 /// The colours that TexEnv::Combine joins.
 struct CombineInputs {
-    Rgba texture, constant, primary, previous;
+    const UnitTexels& texels;
+    std::size_t unit;
+    Rgba constant, primary, previous;
 
-    constexpr const Rgba& of(CombineSource source) const {
+    constexpr Rgba of(CombineSource source) const {
         switch (source) {
-            case CombineSource::Texture: return texture;
+            case CombineSource::Texture: return texels.argument(unit);
             case CombineSource::Constant: return constant;
             case CombineSource::PrimaryColor: return primary;
-            case CombineSource::Previous: break;
+            case CombineSource::Previous: return previous;
+            case CombineSource::Texture0:
+            case CombineSource::Texture1:
+            case CombineSource::Texture2:
+            case CombineSource::Texture3: break;
         }
-        return previous;
+        return texels.argument(std::size_t(source) - std::size_t(CombineSource::Texture0));
+    }
+    constexpr bool has(CombineSource source) const {
+        return source < CombineSource::Texture0 ||
+               texels.has(std::size_t(source) - std::size_t(CombineSource::Texture0));
+    }
+    /// Whether the units of all arguments that the function has are on.
+    constexpr bool has_arguments(const CombineState& s) const {
+        const bool second = s.func != CombineFunc::Replace,
+                   third = s.func == CombineFunc::Interpolate;
+        return has(s.source0) && (!second || has(s.source1)) && (!third || has(s.source2));
     }
 };
 
@@ -204,15 +238,15 @@ constexpr std::int64_t combine_channel(const CombineState& s, const CombineInput
     return combine_dot(s, in, bits);
 }
 
-/// `t` of a texture of this format. Colours that the format lacks are 0.
-constexpr Rgba combine(const TextureState& s, TextureFormat format, const Rgba& f, Rgba t,
-                       const Rgba& env, int bits) {
-    if (format == TextureFormat::Alpha) t[0] = t[1] = t[2] = 0;
-    const CombineInputs in{t, env, f, f};
+/// A unit that reads one that is off leaves the colour as it is.
+constexpr Rgba combine(const TextureState& s, const CombineInputs& in, int bits) {
+    const bool joins_alpha = s.combine_rgb.func == CombineFunc::Dot3Rgba;
+    if (!in.has_arguments(s.combine_rgb) || !(joins_alpha || in.has_arguments(s.combine_alpha)))
+        return in.previous;
     const std::int64_t max = max_of_bits(bits);
     Rgba out{};
     for (std::size_t c = 0; c < 4; ++c) {
-        const bool own = c == 3 && s.combine_rgb.func != CombineFunc::Dot3Rgba;
+        const bool own = c == 3 && !joins_alpha;
         const CombineState& by = own ? s.combine_alpha : s.combine_rgb;
         const std::int64_t v = by.scale * combine_channel(by, in, c, bits);
         out[c] = static_cast<std::uint16_t>(v < 0 ? 0 : v < max ? v : max);
@@ -223,7 +257,11 @@ constexpr Rgba combine(const TextureState& s, TextureFormat format, const Rgba& 
 /// `f` of the fragment, `t` of the texture, `env` constant.
 constexpr Rgba texture_environment(const TextureState& s, TextureFormat format, const Rgba& f,
                                    const Rgba& t, const Rgba& env, int bits) {
-    if (s.env == TexEnv::Combine) return combine(s, format, f, t, env, bits);
+    if (s.env == TexEnv::Combine) {
+        UnitTexels texels;
+        texels.set(0, format, t);
+        return combine(s, {texels, 0, env, f, f}, bits);
+    }
     const std::uint32_t max = max_of_bits(bits);
     Rgba out = f;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -243,6 +281,13 @@ constexpr Rgba texture_environment(const TextureState& s, TextureFormat format, 
         out[i] = static_cast<std::uint16_t>(v);
     }
     return out;
+}
+
+/// The environment of one of several units; `primary` is the fragment's colour before all.
+constexpr Rgba unit_environment(const TextureState& s, const UnitTexels& texels, std::size_t unit,
+                                const Rgba& primary, const Rgba& f, const Rgba& env, int bits) {
+    if (s.env == TexEnv::Combine) return combine(s, {texels, unit, env, primary, f}, bits);
+    return texture_environment(s, texels.format[unit], f, texels.texel[unit], env, bits);
 }
 
 /// The secondary colour added to R, G, B, clamped.
@@ -276,6 +321,11 @@ constexpr int texel_count(MinFilter filter) {
         case MinFilter::LinearMipmapLinear: return 8;
     }
     return 1;
+}
+/// Three dimensions have two slices for each filter.
+constexpr int look_ups(MinFilter filter, int dimensions) {
+    const int count = texel_count(filter);
+    return dimensions == 3 && (count == 4 || count == 8) ? 2 * count : count;
 }
 
 }  // namespace gw

@@ -121,45 +121,73 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
     return table;
 }
 
-TexelLevel& Texels::add_level(int width, int height) {
+TexelLevel& Texels::add_level(int width, int height, int layers) {
     if (levels.empty()) any_size = is_any_size(width, height);
     const std::size_t first = std::max(packed.size(), wide.size()),
-                      end = first + std::size_t(width) * std::size_t(height);
+                      end = first + std::size_t(width) * std::size_t(height) * std::size_t(layers);
     if (bits == 8)
         packed.resize(end);
     else
         wide.resize(end);
     return levels.emplace_back(TexelLevel{width,
                                           height,
+                                          layers,
                                           std::countr_zero(unsigned(width)),
                                           std::countr_zero(unsigned(height)),
                                           first,
                                           {}});
 }
 
-Texels make_texels(const Texture& texture, int bits, int texel_bits) {
-    Texels t{bits, texture.format, texture.dimensions};
+/// Depths of all texels of a level, and the greys that they are without comparison.
+void round_depths(Texels& t, const TexelLevel& level, const TextureLevel& from,
+                  const TexelBits& bits) {
+    const auto one = static_cast<std::uint16_t>(max_of_bits(t.bits));
+    for (std::size_t i = 0; i < from.rgba.size() / 4; ++i) {
+        const std::uint32_t given = std::uint32_t{from.rgba[4 * i]} << 16 | from.rgba[4 * i + 1];
+        const std::uint32_t depth = given >> (32 - bits.depth);
+        const auto grey = static_cast<std::uint16_t>(rescale(depth, bits.depth, t.bits));
+        t.depths[level.first + i] = depth;
+        t.set(level.first + i, completed(t.format, {grey, grey, grey, grey}, one));
+    }
+}
+
+/// The whole level as one rectangle: its layers lie one above the other.
+Rect all_layers(const Texture& texture, const TextureLevel& level) {
+    Rect rect = stored_rect(texture, level);
+    rect.height *= level.layers;
+    return rect;
+}
+
+Texels make_texels(const Texture& texture, const TexelBits& bits) {
+    Texels t{bits.color, texture.format, texture.dimensions};
     t.srgb = texture.srgb;
+    t.cube = texture.cube;
+    t.with_r = needs_r(texture);
     std::size_t count = 0;
     for (const TextureLevel& from : texture.levels)
-        count += std::size_t(from.width) * std::size_t(from.height);
-    if (bits == 8)
+        count += std::size_t(from.width) * std::size_t(from.height) * std::size_t(from.layers);
+    if (texture.depths) t.depths.resize(count);
+    if (t.bits == 8)
         t.packed.reserve(count);
     else
         t.wide.reserve(count);
     for (const TextureLevel& from : texture.levels) {
-        TexelLevel& level = t.add_level(from.width, from.height);
+        TexelLevel& level = t.add_level(from.width, from.height, from.layers);
         if (texture.border)
             level.bordered.resize(std::size_t(from.width + 2) * std::size_t(from.height + 2));
-        round_part(t, level, from, stored_rect(texture, from), texel_bits);
+        if (texture.depths)
+            round_depths(t, level, from, bits);
+        else
+            round_part(t, level, from, all_layers(texture, from), bits.texel);
     }
     return t;
 }
 
 void update_texels(Texels& texels, const Texture& texture, const TexturePart& part,
-                   int texel_bits) {
+                   const TexelBits& bits) {
     const auto i = std::size_t(part.level);
-    round_part(texels, texels.levels[i], texture.levels[i], part.rect, texel_bits);
+    if (texture.depths) return round_depths(texels, texels.levels[i], texture.levels[i], bits);
+    round_part(texels, texels.levels[i], texture.levels[i], part.rect, bits.texel);
 }
 
 std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d,
@@ -177,19 +205,13 @@ std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::u
     return static_cast<std::uint16_t>((low * (256 - wy) + high * wy + (1u << 15)) >> 16);
 }
 
-namespace {
-
-/// BorderClamp keeps a position within the level; its filter reaches half a texel beyond.
-int clamped(Wrap wrap, int u, int size) {
+int clamped_position(Wrap wrap, int u, int size) {
     return wrap == Wrap::BorderClamp ? std::clamp(u, 0, size * 256) : u;
 }
 
-/// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
 int filter_index(Wrap wrap, int i, int size) {
     return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
 }
-
-}  // namespace
 
 static bool is_outside(const TexelLevel& level, int i, int j) {
     return i < 0 || i >= level.width || j < 0 || j >= level.height;
@@ -197,16 +219,16 @@ static bool is_outside(const TexelLevel& level, int i, int j) {
 
 /// Of wrapped indices.
 static Rgba texel_or_border(const Texels& texels, const TexelLevel& level, const Addressing& how,
-                            int i, int j) {
-    if (!is_outside(level, i, j)) return texels.at(level, i, j);
+                            int i, int j, int layer) {
+    if (!is_outside(level, i, j)) return texels.at(level, i, j, layer);
     return level.bordered.empty() ? how.border_color
                                   : level.bordered[pixel_index(i + 1, j + 1, level.width + 2)];
 }
 
 Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
-                  int j) {
+                  int j, int layer) {
     return texel_or_border(texels, level, how, filter_index(how.wrap_s, i, level.width),
-                           filter_index(how.wrap_t, j, level.height));
+                           filter_index(how.wrap_t, j, level.height), layer);
 }
 
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
@@ -217,16 +239,16 @@ std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const
 }
 
 Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,
-            int u, int v) {
+            int u, int v, int layer) {
     const Wrap wrap_s = how.wrap_s, wrap_t = how.wrap_t;
     if (!linear)
         return texel_or_border(texels, level, how, wrap_index(wrap_s, u >> 8, level.width),
-                               wrap_index(wrap_t, v >> 8, level.height));
+                               wrap_index(wrap_t, v >> 8, level.height), layer);
     // to the lower left of the four centres
-    const int us = clamped(wrap_s, u, level.width) - 128,
-              vs = clamped(wrap_t, v, level.height) - 128;
+    const int us = clamped_position(wrap_s, u, level.width) - 128,
+              vs = clamped_position(wrap_t, v, level.height) - 128;
     const int i = us >> 8, j = vs >> 8;
-    const auto at = [&](int x, int y) { return filter_texel(texels, level, how, x, y); };
+    const auto at = [&](int x, int y) { return filter_texel(texels, level, how, x, y, layer); };
     const Rgba a = at(i, j), b = at(i + 1, j), c = at(i, j + 1), d = at(i + 1, j + 1);
     Rgba out;
     for (std::size_t k = 0; k < 4; ++k)

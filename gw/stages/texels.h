@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/base/types.h"
+#include "gw/profile.h"
 #include "gw/state.h"
 #include "gw/texture.h"
 
@@ -14,11 +15,15 @@ namespace gw {
 
 struct TexelLevel {
     int width = 1, height = 1;
+    int layers = 1;                       ///< of three dimensions or a cube
     int log2_width = 0, log2_height = 0;  ///< of sides that are powers of two
     std::size_t first = 0;                ///< its first texel, among those of all levels
     /// its texels with the border around them, (width + 2) (height + 2); empty: there is none
     std::vector<Rgba> bordered;
-    std::size_t index(int i, int j) const { return first + pixel_index(i, j, width); }
+    std::size_t index(int i, int j, int layer = 0) const {
+        return first + std::size_t(layer) * layer_size() + pixel_index(i, j, width);
+    }
+    std::size_t layer_size() const { return std::size_t(width) * std::size_t(height); }
 };
 
 /// The texels of a draw: colours, or depths for shadow_compare.
@@ -28,31 +33,44 @@ struct Texels {
     int dimensions = 2;
     bool any_size = false;  ///< is_any_size() of level 0
     bool srgb = false;      ///< made of an sRGB texture
+    bool cube = false;
+    bool with_r = false;  ///< needs_r() of the texture
     std::vector<TexelLevel> levels;
     std::vector<std::uint32_t> packed;  ///< all levels' texels if bits == 8: packed()
     std::vector<Rgba> wide;             ///< else
-    std::vector<std::uint32_t> depths;  ///< of a depth slot, as large as level 0; else empty
+    std::vector<std::uint32_t> depths;  ///< of a depth slot or texture, as many as texels
 
     /// A level more, of black texels.
-    TexelLevel& add_level(int width, int height);
+    TexelLevel& add_level(int width, int height, int layers = 1);
     void set(std::size_t index, const Rgba& texel) {
         if (bits == 8)
             packed[index] = gw::packed(texel);
         else
             wide[index] = texel;
     }
-    Rgba at(const TexelLevel& level, int i, int j) const {
-        const std::size_t index = level.index(i, j);
+    Rgba at(const TexelLevel& level, int i, int j, int layer = 0) const {
+        const std::size_t index = level.index(i, j, layer);
         return bits == 8 ? unpacked(packed[index]) : wide[index];
     }
 };
 
-/// Levels rounded from 16 bits to `texel_bits`, then to `bits`.
-Texels make_texels(const Texture& texture, int bits, int texel_bits);
+/// The textures of a command by unit; null: off.
+using BoundTexels = std::array<const Texels*, max_texture_units>;
+
+/// The bits of a texel's channel, of the colour that it becomes, and of depths.
+struct TexelBits {
+    int texel, color, depth;
+};
+constexpr TexelBits texel_bits_of(const Profile& p) {
+    return {texel_bits(p), p.color_bits, p.depth_bits};
+}
+/// Levels rounded from 16 bits to `bits.texel`, then to `bits.color`; depths to `bits.depth`.
+Texels make_texels(const Texture& texture, const TexelBits& bits);
 /// The linear value of each byte of sRGB, of 16 bits.
 const std::array<std::uint16_t, 256>& srgb_values();
 /// Takes a part over from a texture with the same levels.
-void update_texels(Texels& texels, const Texture& texture, const TexturePart& part, int texel_bits);
+void update_texels(Texels& texels, const Texture& texture, const TexturePart& part,
+                   const TexelBits& bits);
 
 /// i modulo n, 0 .. n - 1.
 constexpr int modulo(int i, int n) { return (n & (n - 1)) == 0 ? i & (n - 1) : (i % n + n) % n; }
@@ -80,6 +98,7 @@ std::uint16_t bilinear(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::u
 struct Addressing {
     Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;
     Rgba border_color{};  ///< of levels without a border
+    Wrap wrap_r = Wrap::Repeat;
     bool operator==(const Addressing&) const = default;
 };
 
@@ -87,18 +106,23 @@ struct Addressing {
 inline Addressing addressing(const TextureState& s, const Texels& texels,
                              const Rgba& border_color) {
     const auto one = static_cast<std::uint16_t>((1u << texels.bits) - 1);
+    if (texels.cube) return {Wrap::Clamp, Wrap::Clamp};
     return {s.wrap_s, texels.dimensions == 1 ? Wrap::Clamp : s.wrap_t,
-            completed(texels.format, border_color, one)};
+            completed(texels.format, border_color, one), s.wrap_r};
 }
 
 /// The texel at u, v, or the mean of the four texels around it. Coordinates are in units of 1/256
 /// texel; texel i is [256 i, 256 i + 256).
 Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,
-            int u, int v);
+            int u, int v, int layer = 0);
 
 /// The texel that a linear filter sees at (i, j), at most one texel outside the level.
 Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressing& how, int i,
-                  int j);
+                  int j, int layer = 0);
+/// BorderClamp keeps a position within the level; its filter reaches half a texel beyond.
+int clamped_position(Wrap wrap, int u, int size);
+/// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
+int filter_index(Wrap wrap, int i, int size);
 
 /// The depth at texel (i, j) of a level that has depths; `border` outside of it.
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,

@@ -41,6 +41,10 @@ dvec4 by_coordinate(const std::array<CoordinateGen, 4>& rules, const TexgenInput
             case CoordinateMode::ObjectLinear: out[i] = dot4(plane, v.p_object); break;
             case CoordinateMode::EyeLinear: out[i] = dot4(plane, v.p_eye4); break;
             case CoordinateMode::SphereMap: out[i] = reflection_map(v)[i]; break;
+            case CoordinateMode::NormalMap: out[i] = v.n_eye[i]; break;
+            case CoordinateMode::ReflectionMap:
+                out[i] = reflected(normalized(v.p_eye), v.n_eye)[i];
+                break;
         }
     }
     return out;
@@ -67,7 +71,12 @@ bool keeps_q(const dmat4& m) {
     return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
 }
 
-bool gives_q(const Draw& draw) {
+bool gives_q(const Draw& draw, std::size_t unit) {
+    if (unit > 0) {
+        const UnitTexcoords& own = draw.mesh->data().more_texcoords[unit - 1];
+        if (!own.st.empty()) return !own.rq.empty();
+        return draw.current && draw.current->more_texcoords[unit - 1].w != 1;
+    }
     if (!draw.mesh->data().texcoords.empty()) return !draw.mesh->data().texcoords_rq.empty();
     return draw.current && draw.current->texcoord.w != 1;
 }
@@ -79,9 +88,11 @@ dvec4 texture_coordinates(const TextureState& state, const TexgenInput& vertex) 
     return state.matrix == dmat4(1) ? out : transform(state.matrix, out);
 }
 
-bool divides_by_q(const TextureState& state, const Draw& draw) {
+bool divides_by_q(const TextureState& state, const Draw& draw, std::size_t unit) {
+    const TextureBinding& map = map_of(draw, unit);
+    if (map.texture && needs_r(*map.texture)) return true;
     const bool takes_given = state.gen == TexGen::None || state.gen == TexGen::PerCoordinate;
-    return generates_q(state) || !keeps_q(state.matrix) || (takes_given && gives_q(draw));
+    return generates_q(state) || !keeps_q(state.matrix) || (takes_given && gives_q(draw, unit));
 }
 
 }  // namespace gw

@@ -16,8 +16,9 @@ struct TexgenInput {
 /// s, t, r, q.
 dvec4 texture_coordinates(const TextureState& state, const TexgenInput& vertex);
 
-/// Whether a draw's coordinates are divided by their q at each pixel: some q may differ from 1.
-bool divides_by_q(const TextureState& state, const Draw& draw);
+/// Whether a draw's coordinates are divided by their q at each pixel: some q may differ from 1, or
+/// the texture needs r.
+bool divides_by_q(const TextureState& state, const Draw& draw, std::size_t unit = 0);
 
 /// The sphere map's coordinates s, t in 0 .. 1 for direction `d` in eye space, of length 1.
 /// [GL11] 2.10.4: m = 2 sqrt(dx^2 + dy^2 + (dz + 1)^2), s = dx / m + 1/2, t = dy / m + 1/2.

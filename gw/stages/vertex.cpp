@@ -46,8 +46,15 @@ dvec3 given_normal(const Draw& draw, std::uint32_t index) {
     return draw.current ? draw.current->normal : CurrentValues{}.normal;
 }
 
-dvec4 given_texcoord(const Draw& draw, std::uint32_t index) {
+dvec4 given_texcoord(const Draw& draw, std::uint32_t index, std::size_t unit) {
     const MeshData& mesh = draw.mesh->data();
+    if (unit > 0) {
+        const UnitTexcoords& own = mesh.more_texcoords[unit - 1];
+        if (own.st.empty())
+            return (draw.current ? draw.current->more_texcoords : initial_texcoords)[unit - 1];
+        const vec2 st = own.st[index], rq = own.rq.empty() ? vec2(0, 1) : own.rq[index];
+        return {st.x, st.y, rq.x, rq.y};
+    }
     if (mesh.texcoords.empty()) return draw.current ? draw.current->texcoord : vec4(0, 0, 0, 1);
     const vec2 st = mesh.texcoords[index];
     const vec2 rq = mesh.texcoords_rq.empty() ? vec2(0, 1) : mesh.texcoords_rq[index];
@@ -181,12 +188,17 @@ Vertex run_vertex(const VertexProgram& p, std::uint32_t index) {
         out.back_secondary = out.secondary;
     }
 
-    if (draw.map.enabled()) {
-        out.texcoord = texture_coordinates(
-            state.texture, {given_texcoord(draw, index), p_object, p_eye4, p_eye, n_eye});
-        if (is_one_dimensional(draw)) out.texcoord.y = 0;
-        for (int i = 0; i < 4; ++i) out.texcoord[i] = bounded(out.texcoord[i], largest_coordinate);
-    }
+    const auto coordinates = [&](std::size_t unit) {
+        dvec4 at = texture_coordinates(texture_of(state, unit), {given_texcoord(draw, index, unit),
+                                                                 p_object, p_eye4, p_eye, n_eye});
+        if (is_one_dimensional(draw, unit)) at.y = 0;
+        for (int i = 0; i < 4; ++i) at[i] = bounded(at[i], largest_coordinate);
+        return at;
+    };
+    if (draw.map.enabled()) out.texcoord = coordinates(0);
+    if (draw.more_maps)
+        for (std::size_t unit = 1; unit < max_texture_units; ++unit)
+            if (map_of(draw, unit).enabled()) out.more_texcoords[unit - 1] = coordinates(unit);
     if (state.fog.enable) out.fog = fog_of(p, index, p_eye.z);
     return out;
 }

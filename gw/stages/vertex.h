@@ -20,7 +20,13 @@ struct ClipPosition {
 
 /// A vertex after the vertex stages, before clipping.
 struct Vertex : ClipPosition {
-    dvec4 texcoord{0, 0, 0, 1};          ///< s, t, r, q
+    dvec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
+    /// of units 1 to 3
+    std::array<dvec4, max_texture_units - 1> more_texcoords;
+
+    const dvec4& texcoord_of(std::size_t unit) const {
+        return unit == 0 ? texcoord : more_texcoords[unit - 1];
+    }
     std::array<double, 4> color{};       ///< integers 0 .. 2^color_bits - 1
     std::array<double, 4> back_color{};  ///< of a back face, with lighting.two_side
     std::array<double, 4> secondary{}, back_secondary{};  ///< likewise; the last is 0
@@ -59,7 +65,8 @@ double fog_of(const VertexProgram& program, std::uint32_t index, double z_eye);
 /// The values of a vertex: the mesh's, or the draw's current ones. Colours are not yet rounded.
 vec4 given_color(const Draw& draw, std::uint32_t index);
 dvec3 given_normal(const Draw& draw, std::uint32_t index);
-dvec4 given_texcoord(const Draw& draw, std::uint32_t index);  ///< s, t, r, q
+/// s, t, r, q of a texture unit.
+dvec4 given_texcoord(const Draw& draw, std::uint32_t index, std::size_t unit = 0);
 vec3 given_secondary_color(const Draw& draw, std::uint32_t index);
 double given_fog_coordinate(const Draw& draw, std::uint32_t index);
 
@@ -76,8 +83,9 @@ void follow_color(ColorMaterial mode, const vec4& color, Material& material);
 bool same_current(const Draw& a, const Draw& b);
 
 /// Whether the draw's texture has one dimension: its t is 0.
-inline bool is_one_dimensional(const Draw& draw) {
-    return draw.map.texture && draw.map.texture->dimensions == 1;
+inline bool is_one_dimensional(const Draw& draw, std::size_t unit = 0) {
+    const TextureBinding& map = map_of(draw, unit);
+    return map.texture && map.texture->dimensions == 1;
 }
 
 /// A vertex's position in object space.

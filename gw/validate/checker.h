@@ -81,6 +81,7 @@ void check(const Checker& c, const CopyTexture& copy);
 void check(const Checker& c, const Read& read);
 void check(const Checker& c, const DrawPixels& draw);
 void check(const Checker& c, const TextureBinding& map);
+void check(const Checker& c, const MoreBindings& maps);
 void check(const Checker& c, const SwapBuffers& swap);
 void check(const Checker& c, const Query& query);
 

@@ -36,6 +36,16 @@ void check(const Checker& c, const TextureBinding& map) {
     c.extension(map.texture->srgb, e.texture_srgb, "texture_srgb");
     c.extension(is_any_size(map.texture->width(), map.texture->height()), e.texture_sizes,
                 "texture_sizes");
+    c.extension(map.texture->depths, e.texture_depth, "texture_depth");
+    c.extension(map.texture->cube, e.texture_cube, "texture_cube");
+    c.extension(map.texture->dimensions == 3, e.texture_3d, "texture_3d");
+}
+
+void check(const Checker& c, const MoreBindings& maps) {
+    for (const TextureBinding& map : maps) {
+        c.extension(map.enabled(), c.profile.extensions.texture_units, "texture_units");
+        check(c, map);
+    }
 }
 
 void check(const Checker& c, const Draw& draw) {
@@ -49,6 +59,7 @@ void check(const Checker& c, const Draw& draw) {
         c.finite("current.texcoord", draw.current->texcoord);
         c.finite("current.secondary_color", draw.current->secondary_color);
         c.finite("current.fog_coordinate", draw.current->fog_coordinate);
+        for (const vec4& v : draw.current->more_texcoords) c.finite("current.more_texcoords", v);
     }
     if (draw.mesh.get() != c.checked_mesh)
         for (const FaceMaterials& m : draw.mesh->data().materials) {
@@ -57,6 +68,7 @@ void check(const Checker& c, const Draw& draw) {
         }
     c.checked_mesh = draw.mesh.get();
     check(c, draw.map);
+    if (draw.more_maps) check(c, *draw.more_maps);
     c.require(draw.id_shift >= 0 && draw.id_shift < 32, "id_shift", draw.id_shift, "0 to 31");
     if (!draw.lights) return;
     // Most draws have the lights of the previous draw.

@@ -10,13 +10,13 @@ namespace gw {
 namespace {
 
 /// Slots depend on earlier commands: a slot may be empty or filled from the wrong plane.
-void check_slot(const Checker& c, const TextureBinding& map, const ListContext& context) {
+void check_slot(const Checker& c, const TextureBinding& map, bool compares,
+                const ListContext& context) {
     if (!map.enabled()) return;
-    const bool compares = context.state.texture.shadow_compare;
     if (!map.slot) {
-        if (compares)
+        if (compares && !map.texture->depths)
             c.fail(
-                "texture.shadow_compare with a colour texture; expected a slot copied from the depth plane");
+                "texture.shadow_compare with a colour texture; expected depths, or a slot copied from the depth plane");
         return;
     }
     const auto slot = context.slots.find(*map.slot);
@@ -45,11 +45,16 @@ void check_target(const Checker& c, const Read& read, const ListContext& context
 }
 
 void check_in_context(const Checker&, const auto&, const ListContext&) {}
+void check_slots(const Checker& c, const auto& command, const ListContext& context) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        check_slot(c, map_of(command, unit), texture_of(context.state, unit).shadow_compare,
+                   context);
+}
 void check_in_context(const Checker& c, const Draw& draw, const ListContext& context) {
-    check_slot(c, draw.map, context);
+    check_slots(c, draw, context);
 }
 void check_in_context(const Checker& c, const DrawPixels& draw, const ListContext& context) {
-    check_slot(c, draw.map, context);
+    check_slots(c, draw, context);
 }
 void check_in_context(const Checker& c, const Read& read, const ListContext& context) {
     check_target(c, read, context);
@@ -65,9 +70,10 @@ void check_in_context(const Checker& c, const Query& query, const ListContext& c
 }
 
 void follow(const auto&, ListContext&) {}
-/// Only the texture's state decides whether a later command is valid.
+/// Only the textures' states decide whether a later command is valid.
 void follow(const SetState& set, ListContext& context) {
     context.state.texture = set.state->texture;
+    context.state.more_textures = set.state->more_textures;
 }
 void follow(const CopyTexture& copy, ListContext& context) {
     context.slots[copy.slot] = copy.plane;

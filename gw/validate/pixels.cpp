@@ -117,6 +117,7 @@ void check_raster(const Checker& c, const RasterPosition& r) {
     check_depth(c, r.depth);
     check_colors(c, {r.color, r.secondary_color});
     c.finite("raster.texcoord", r.texcoord);
+    for (const vec4& v : r.more_texcoords) c.finite("raster.more_texcoords", v);
     c.require(r.distance >= 0 && std::isfinite(r.distance), "raster.distance", r.distance,
               "0 or more");
     c.finite("raster.fog_coordinate", r.fog_coordinate);
@@ -152,6 +153,7 @@ void check(const Checker& c, const DrawPixels& d) {
     check_values(c, d.depths, c.profile.depth_bits);
     check_values(c, d.stencils, c.profile.stencil_bits);
     check(c, d.map);
+    if (d.more_maps) check(c, *d.more_maps);
     if (!d.source) return;
     check_plane(c, d.source->plane);
     c.position("copy position", d.source->x);

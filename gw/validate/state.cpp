@@ -35,19 +35,41 @@ void check_words(const Checker& c, const BlendState& b) {
     check_word(c, b.alpha.equation);
 }
 
+void check_words(const Checker& c, const CombineState& s) {
+    check_word(c, s.source0);
+    check_word(c, s.source1);
+    check_word(c, s.source2);
+}
+void check_extensions(const Checker& c, const TextureState& s) {
+    const Extensions& e = c.profile.extensions;
+    check_word(c, s.wrap_s);
+    check_word(c, s.wrap_t);
+    check_word(c, s.wrap_r);
+    check_word(c, s.env);
+    check_words(c, s.combine_rgb);
+    check_words(c, s.combine_alpha);
+    for (const CoordinateGen& rule : s.coordinates)
+        c.extension(rule.mode >= CoordinateMode::NormalMap && rule.mode <= last_of<CoordinateMode>,
+                    e.texture_cube, "texture_cube");
+    c.extension(s.lod != TextureLodState{}, e.texture_lod, "texture_lod");
+    c.extension(s.shadow_compare, e.shadow_texture || e.texture_depth, "shadow_texture");
+    c.extension(s.compare_func != CompareFunc::LEqual, e.texture_depth, "texture_depth");
+    c.extension(s.wrap_r != Wrap::Repeat, e.texture_3d, "texture_3d");
+    c.extension(s.seamless, e.texture_seamless, "texture_seamless");
+}
+
 void check_extensions(const Checker& c, const State& s) {
     const Extensions& e = c.profile.extensions;
     const PolygonOffsetState& offset = s.polygon_offset;
     c.extension(offset.enable || offset.lines || offset.points, e.polygon_offset, "polygon_offset");
-    check_word(c, s.texture.wrap_s);
-    check_word(c, s.texture.wrap_t);
-    check_word(c, s.texture.env);
-    c.extension(s.texture.lod != TextureLodState{}, e.texture_lod, "texture_lod");
+    check_extensions(c, s.texture);
+    c.extension(s.more_textures.units != nullptr, e.texture_units, "texture_units");
+    if (s.more_textures.units)
+        for (const TextureState& unit : *s.more_textures.units) check_extensions(c, unit);
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
                 "antialiasing");
     c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
-    c.extension(s.texture.shadow_compare, e.shadow_texture, "shadow_texture");
     if (s.stencil.test) {
         check_words(c, s.stencil);
         check_words(c, s.stencil.back);
@@ -143,10 +165,15 @@ void check_combine(const Checker& c, const TextureState& s) {
     c.enumeration("texture.combine_alpha.func", s.combine_alpha.func, CombineFunc::Subtract);
 }
 
-/// The sphere gives s and t only.
+/// The sphere gives s and t only, normals and reflections give no q.
 void check_coordinates(const Checker& c, const std::array<CoordinateGen, 4>& coordinates) {
-    for (std::size_t i = 2; i < 4; ++i)
-        c.enumeration("texture.coordinates", coordinates[i].mode, CoordinateMode::EyeLinear);
+    if (coordinates[2].mode == CoordinateMode::SphereMap)
+        c.enumeration("texture.coordinates", coordinates[2].mode, CoordinateMode::EyeLinear);
+    c.enumeration("texture.coordinates", coordinates[3].mode, CoordinateMode::EyeLinear);
+}
+void check_texture(const Checker& c, const TextureState& s) {
+    check_coordinates(c, s.coordinates);
+    check_combine(c, s);
 }
 
 void check_scissor(const Checker& c, const Rect& box) {
@@ -179,8 +206,18 @@ void check(const Checker& c, const SetState& set) {
     check_viewport(c, s.viewport);
     check_jitter(c, s.jitter);
     check_fog(c, s.fog);
-    check_coordinates(c, s.texture.coordinates);
-    check_combine(c, s.texture);
+    check_texture(c, s.texture);
+    if (s.more_textures.units)
+        for (const TextureState& unit : *s.more_textures.units) {
+            const Path group{nullptr, "more_textures"};
+            for_each_value(
+                unit,
+                [&](const Path& path, const Plain auto& value, const auto& field) {
+                    check_value(c, path, value, field.bounds);
+                },
+                &group);
+            check_texture(c, unit);
+        }
     check_scissor(c, s.scissor.box);
     check_blend(c, s.blend);
     check_buffers(c, s);

@@ -45,15 +45,15 @@ inline constexpr auto members_of<MeshData> = std::tuple(
     named("fog_coordinates", &MeshData::fog_coordinates));
 
 template <>
-inline constexpr auto members_of<Texture> = std::tuple(named("map's format", &Texture::format),
-                                                       named("map's dimensions",
-                                                             &Texture::dimensions),
-                                                       named("map's border", &Texture::border));
+inline constexpr auto members_of<Texture> = std::tuple(
+    named("map's format", &Texture::format), named("map's dimensions", &Texture::dimensions),
+    named("map's border", &Texture::border), named("map's cube", &Texture::cube),
+    named("map's depths", &Texture::depths));
 
 template <>
 inline constexpr auto members_of<TextureLevel> = std::tuple(
     named("map's width", &TextureLevel::width), named("map's height", &TextureLevel::height),
-    named("map's values", &TextureLevel::rgba));
+    named("map's layers", &TextureLevel::layers), named("map's values", &TextureLevel::rgba));
 
 template <>
 inline constexpr auto members_of<Light> =
@@ -76,7 +76,13 @@ inline constexpr auto members_of<CurrentValues> = std::tuple(
     named("current.color", &CurrentValues::color), named("current.normal", &CurrentValues::normal),
     named("current.texcoord", &CurrentValues::texcoord),
     named("current.secondary_color", &CurrentValues::secondary_color),
-    named("current.fog_coordinate", &CurrentValues::fog_coordinate));
+    named("current.fog_coordinate", &CurrentValues::fog_coordinate),
+    named("current.more_texcoords", &CurrentValues::more_texcoords));
+
+template <>
+inline constexpr auto members_of<UnitTexcoords> =
+    std::tuple(named("texcoords of a unit", &UnitTexcoords::st),
+               named("texcoords_rq of a unit", &UnitTexcoords::rq));
 
 template <>
 inline constexpr auto members_of<Draw> = std::tuple(named("eye_from_object",
@@ -198,9 +204,25 @@ Parts difference(const LightsRef& a, const LightsRef& b) {
     return {};
 }
 
+/// Of all units' textures.
+Parts map_difference(const auto& a, const auto& b) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (auto part = difference(map_of(a, unit), map_of(b, unit))) {
+            if (unit > 0) part->name += fmt::format(" of unit {}", unit);
+            return part;
+        }
+    return {};
+}
+Parts mesh_difference(const MeshData& a, const MeshData& b) {
+    if (auto part = difference(a, b)) return part;
+    for (std::size_t i = 0; i < a.more_texcoords.size(); ++i)
+        if (auto part = difference(a.more_texcoords[i], b.more_texcoords[i])) return part;
+    return {};
+}
+
 Parts difference(const Draw& a, const Draw& b) {
     if (a.mesh != b.mesh)
-        if (auto part = difference(a.mesh->data(), b.mesh->data())) return part;
+        if (auto part = mesh_difference(a.mesh->data(), b.mesh->data())) return part;
     if (auto part = difference(a.material, b.material)) return part;
     const Material &back_a = a.back_material ? *a.back_material : a.material,
                    &back_b = b.back_material ? *b.back_material : b.material;
@@ -210,12 +232,12 @@ Parts difference(const Draw& a, const Draw& b) {
     if (auto part = difference(a.current ? *a.current : initial, b.current ? *b.current : initial))
         return part;
     if (auto part = difference(a.lights, b.lights)) return part;
-    if (auto part = difference(a.map, b.map)) return part;
+    if (auto part = map_difference(a, b)) return part;
     return difference<Draw>(a, b);
 }
 
 Parts difference(const DrawPixels& a, const DrawPixels& b) {
-    if (auto part = difference(a.map, b.map)) return part;
+    if (auto part = map_difference(a, b)) return part;
     return difference<DrawPixels>(a, b);
 }
 

@@ -94,7 +94,13 @@ struct Player::Context {
         before.state = c.state;
         apply(c.state, width, height);
     }
+    /// Units 1 to 3 are off.
+    static void check_units(const auto& command) {
+        for (std::size_t unit = 1; unit < max_texture_units; ++unit)
+            if (map_of(command, unit).enabled()) refuse("GL_ARB_multitexture", "more_maps");
+    }
     void run(const Draw& c) {
+        check_units(c);
         show_drawn();
         draw(c, before.state, profile, width, height, textures.bind(c.map, before.state.texture));
     }
@@ -107,6 +113,7 @@ struct Player::Context {
         write(c, before.state.depth);
     }
     void run(const DrawPixels& c) {
+        check_units(c);
         show_copied(c.source ? c.source->plane : Plane::Depth);
         draw(c, before.state, textures.bind(c.map, before.state.texture));
     }

@@ -32,6 +32,7 @@ GLenum target_of(const TextureBinding& binding) {
 
 void upload(const Texture& texture, GLenum target) {
     if (texture.srgb) refuse("GL_EXT_texture_sRGB", "texture");
+    if (needs_r(texture)) refuse("OpenGL 1.4", "a texture with r");
     const GLint format = internal_format(texture.format), border = texture.border ? 1 : 0;
     GLint level = 0;
     for (const TextureLevel& l : texture.levels) {
@@ -63,6 +64,8 @@ MinFilter without_mipmaps(MinFilter filter) {
 void set_sampler(const TextureState& s, GLenum target, bool one_level) {
     if (s.env > TexEnv::Replace) refuse("OpenGL 1.3", "texture.env");
     if (s.lod != TextureLodState{}) refuse("OpenGL 1.4", "texture.lod");
+    if (s.shadow_compare && s.compare_func != CompareFunc::LEqual)
+        refuse("GL_EXT_shadow_funcs", "texture.compare_func");
     const MinFilter min_filter = one_level ? without_mipmaps(s.min_filter) : s.min_filter;
     gl().TexParameteri(target, GL_TEXTURE_MIN_FILTER, value(token(min_filter)));
     gl().TexParameteri(target, GL_TEXTURE_MAG_FILTER, value(token(s.mag_filter)));

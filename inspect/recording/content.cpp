@@ -2,6 +2,7 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <bit>
 #include <set>
 
@@ -32,6 +33,11 @@ private:
 
 }  // namespace
 
+static bool has_more(const MeshData& mesh) {
+    return std::ranges::any_of(mesh.more_texcoords,
+                               [](const UnitTexcoords& unit) { return !unit.st.empty(); });
+}
+
 Digest content(const MeshData& mesh) {
     Hasher hasher;
     hasher.add_number(std::uint64_t(mesh.primitive));
@@ -44,16 +50,22 @@ Digest content(const MeshData& mesh) {
     hasher.add(mesh.polygon_ids);
     if (mesh.w.empty() && mesh.texcoords_rq.empty() && mesh.edge_flags.empty() &&
         mesh.material_indices.empty() && mesh.secondary_colors.empty() &&
-        mesh.fog_coordinates.empty())
+        mesh.fog_coordinates.empty() && !has_more(mesh))
         return hasher.finish();
     hasher.add(mesh.w);
     hasher.add(mesh.texcoords_rq);
     hasher.add(mesh.edge_flags);
     hasher.add(mesh.materials);
     hasher.add(mesh.material_indices);
-    if (mesh.secondary_colors.empty() && mesh.fog_coordinates.empty()) return hasher.finish();
+    if (mesh.secondary_colors.empty() && mesh.fog_coordinates.empty() && !has_more(mesh))
+        return hasher.finish();
     hasher.add(mesh.secondary_colors);
     hasher.add(mesh.fog_coordinates);
+    if (has_more(mesh))
+        for (const UnitTexcoords& unit : mesh.more_texcoords) {
+            hasher.add(unit.st);
+            hasher.add(unit.rq);
+        }
     return hasher.finish();
 }
 
@@ -68,6 +80,10 @@ Digest content(const Texture& texture) {
     hasher.add_number(std::uint64_t(texture.format));
     hasher.add_number(std::uint64_t(texture.dimensions));
     hasher.add_number(texture.border ? 1 : 0);
+    if (needs_r(texture)) {
+        hasher.add_number(std::uint64_t(level.layers));
+        hasher.add_number((texture.cube ? 2 : 0) + (texture.depths ? 1 : 0));
+    }
     for (const TextureLevel& l : texture.levels) hasher.add(*l.rgba);
     return hasher.finish();
 }
@@ -80,8 +96,10 @@ Digest scene_content(const Recording& recording) {
             const auto* draw = std::get_if<Draw>(&command);
             if (!draw) continue;
             if (seen.insert(draw->mesh.get()).second) contents.insert(content(draw->mesh->data()));
-            if (draw->map.texture && seen.insert(draw->map.texture.get()).second)
-                contents.insert(content(*draw->map.texture));
+            for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+                if (const TextureRef& t = map_of(*draw, unit).texture;
+                    t && seen.insert(t.get()).second)
+                    contents.insert(content(*t));
         }
     Hasher hasher;
     for (const Digest& digest : contents) {

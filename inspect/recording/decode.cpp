@@ -16,30 +16,6 @@ namespace {
 
 using inspect::from_file;
 
-/// All but its name.
-Profile from_file(const gwt::Profile& p) {
-    return {.color_bits = p.color_bits(),
-            .depth_bits = p.depth_bits(),
-            .stencil_bits = p.stencil_bits(),
-            .accum_bits = p.accum_bits(),
-            .subpixel_bits = p.subpixel_bits(),
-            .lit_bits = p.lit_bits(),
-            .max_lights = p.max_lights(),
-            .texel_bits = p.texel_bits(),
-            .coverage_bits = p.coverage_bits(),
-            .color_planes = p.color_planes(),
-            .fragment_fog = p.fragment_fog(),
-            .perspective_color = p.perspective_color(),
-            .extensions = {p.polygon_offset(),    p.shadow_texture(),         p.stencil_wrap(),
-                           p.two_sided_stencil(), p.texture_border(),         p.texture_formats(),
-                           p.stipple(),           p.two_sided_polygon_mode(), p.logic_op(),
-                           p.blend_color(),       p.blend_minmax(),           p.blend_subtract(),
-                           p.draw_pixels(),       p.blend_separate(),         p.blend_square(),
-                           p.texture_sizes(),     p.texture_wraps(),          p.texture_lod(),
-                           p.texture_combine(),   p.texture_srgb(),           p.secondary_color(),
-                           p.fog_coordinate(),    p.occlusion_query(),        p.clip_control()}};
-}
-
 class Decoder {
 public:
     Decoder(const gwt::Recording& file, const Limits& limits, DecodedValues& values)
@@ -83,8 +59,6 @@ private:
 
     MeshRef mesh(const gwt::Mesh& m);
     TextureRef texture(const gwt::Texture& t);
-    TextureRef given_texture(const gwt::Texture& t, const std::vector<std::uint8_t>& texels8,
-                             const std::vector<std::uint16_t>& texels16);
     template <typename File>
     auto all(const flatbuffers::Vector<flatbuffers::Offset<File>>* stored, const char* what,
              const auto& decode_one);
@@ -98,6 +72,7 @@ private:
     }
     Command command(const gwt::SetState& c) { return SetState{at(states_, c.state(), "state")}; }
     TextureBinding binding(std::uint32_t texture, std::uint32_t slot) const;
+    std::shared_ptr<const MoreBindings> more_maps(const auto& command) const;
     Command command(const gwt::Draw& c);
     Command command(const gwt::WriteSpans& c) {
         return WriteSpans{structs<Span>(c.spans()), structs<Rgba>(c.colors()), c.depth()};
@@ -154,43 +129,13 @@ MeshRef Decoder::mesh(const gwt::Mesh& m) {
                   .material_indices = numbers(m.material_indices()),
                   .secondary_colors = structs<vec3>(m.secondary_colors()),
                   .fog_coordinates = numbers(m.fog_coordinates())};
+    if (has_more(m.more_texcoords(), "units of a mesh"))
+        for (unsigned i = 0; i < data.more_texcoords.size(); ++i) {
+            const gwt::UnitTexcoords& unit = *m.more_texcoords()->Get(i);
+            data.more_texcoords[i] = {structs<vec2>(unit.st()), structs<vec2>(unit.rq())};
+        }
     charge(sizeof(Mesh) + std::max(data.positions.size(), data.indices.size()) * sizeof(Triangle));
     return make_mesh(std::move(data));
-}
-
-TextureRef Decoder::given_texture(const gwt::Texture& t, const std::vector<std::uint8_t>& texels8,
-                                  const std::vector<std::uint16_t>& texels16) {
-    constexpr int most_levels = 14;  // of 8192 texels
-    if (t.level_count() < 1 || t.level_count() > most_levels)
-        throw Error(fmt::format("{} levels; expected 1 to {}", t.level_count(), most_levels));
-    for (const int side : {t.width(), t.height()})
-        if (side < 1 || side > max_texture_side)
-            throw Error(fmt::format("{} x {} texels; expected sides of 1 to {}", t.width(),
-                                    t.height(), max_texture_side));
-    Texture texture{.name = text(t.name()),
-                    .format = our_enum<TextureFormat>(t.format()),
-                    .dimensions = t.dimensions(),
-                    .border = t.border(),
-                    .srgb = t.srgb()};
-    const std::size_t values = texels8.empty() ? texels16.size() : texels8.size();
-    std::size_t next = 0;
-    for (int i = 0; i < t.level_count(); ++i) {
-        TextureLevel level{std::max(1, t.width() >> i), std::max(1, t.height() >> i), {}};
-        const std::size_t more = t.border() ? 2 : 0;
-        const std::size_t size = 4 * (std::size_t(level.width) + more) *
-                                 (std::size_t(level.height) + (t.dimensions() == 1 ? 0 : more));
-        if (size > values - next)
-            throw Error(fmt::format("level {} of {} values; {} are left", i, size, values - next));
-        std::vector<std::uint16_t>& rgba = level.rgba.edit();
-        for (const std::size_t end = next + size; next < end; ++next)
-            rgba.push_back(texels8.empty() ? texels16[next]
-                                           : static_cast<std::uint16_t>(257 * texels8[next]));
-        texture.levels.push_back(std::move(level));
-    }
-    if (next < values)
-        throw Error(
-            fmt::format("{} values of {} levels; expected {}", values, t.level_count(), next));
-    return make_texture(std::move(texture));
 }
 
 TextureRef Decoder::texture(const gwt::Texture& t) {
@@ -199,8 +144,9 @@ TextureRef Decoder::texture(const gwt::Texture& t) {
     if (!texels8.empty() && !texels16.empty())
         throw Error("both texels8 and texels16; expected one of them");
     charge((texels8.size() + texels16.size()) * 4);  // its levels, and the machine's
-    if (t.level_count() != 0) return given_texture(t, texels8, texels16);
-    if (t.format() != gwt::TextureFormat::RGBA || t.dimensions() != 2 || t.border())
+    if (t.level_count() != 0) return given_texture(t, text(t.name()), texels8, texels16);
+    if (t.format() != gwt::TextureFormat::RGBA || t.dimensions() != 2 || t.border() ||
+        t.layers() != 1 || t.cube() || t.depths())
         throw Error(
             "a format, one dimension or a border without given levels; expected level_count 1 "
             "or more");
@@ -222,6 +168,7 @@ Command Decoder::command(const gwt::Draw& c) {
     draw.current = current_values(c);
     if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
     draw.map = binding(c.texture(), c.slot());
+    draw.more_maps = more_maps(c);
     return draw;
 }
 
@@ -237,6 +184,7 @@ Command Decoder::command(const gwt::DrawPixels& c) {
     draw.raster = raster_position(c);
     if (c.source()) draw.source = from_file(*c.source());
     draw.map = binding(c.texture(), c.slot());
+    draw.more_maps = more_maps(c);
     return draw;
 }
 
@@ -248,6 +196,17 @@ TextureBinding Decoder::binding(std::uint32_t texture, std::uint32_t slot) const
     if (texture != no_place) map.texture = at(values_.textures, texture, "texture");
     if (slot != no_place) map.slot = slot;
     return map;
+}
+
+std::shared_ptr<const MoreBindings> Decoder::more_maps(const auto& c) const {
+    const bool textures = has_more(c.more_textures(), "textures of units"),
+               slots = has_more(c.more_slots(), "slots of units");
+    if (!textures && !slots) return nullptr;
+    MoreBindings maps;
+    for (unsigned i = 0; i < maps.size(); ++i)
+        maps[i] = binding(textures ? c.more_textures()->Get(i) : no_place,
+                          slots ? c.more_slots()->Get(i) : no_place);
+    return std::make_shared<const MoreBindings>(maps);
 }
 
 Command Decoder::command(gwt::CommandType type, const gwt::AnyCommand* stored) {

@@ -43,6 +43,9 @@ gwt::RasterPosition to_file(const RasterPosition& r) {
 }
 using inspect::to_file;
 
+/// Whether it has what version 1 has not.
+bool is_of_version_2(const Texture& t) { return t.given_levels || t.srgb; }
+
 class Encoder {
 public:
     explicit Encoder(StoredValues& stored) : stored_(stored) {}
@@ -76,6 +79,14 @@ private:
     std::uint32_t texture(const TextureBinding& map) {
         return map.texture ? texture(map.texture) : no_place;
     }
+    /// Of units 1 to 3; none if they are off.
+    struct MorePlaces {
+        std::vector<std::uint32_t> textures, slots;
+        std::vector<vec4> texcoords;
+    };
+    MorePlaces more(const std::shared_ptr<const MoreBindings>& maps,
+                    const MoreTexcoords& texcoords);
+    Offset<flatbuffers::Vector<Offset<gwt::UnitTexcoords>>> more_texcoords(const MeshData& m);
     std::uint32_t lights(const LightsRef& ref);
     std::uint32_t state(const State& state);
 
@@ -159,14 +170,39 @@ std::uint32_t Encoder::mesh(const MeshRef& ref) {
     const auto material_indices = numbers(m.material_indices);
     const auto secondary_colors = structs<gwt::Vec3>(m.secondary_colors);
     const auto fog_coordinates = numbers(m.fog_coordinates);
+    const auto more = more_texcoords(m);
     meshes_.push_back(gwt::CreateMesh(out_, file_enum<gwt::Primitive>(m.primitive), positions,
                                       normals, texcoords, colors, indices, sizes, ids, w,
                                       texcoords_rq, edge_flags, materials, material_indices,
-                                      secondary_colors, fog_coordinates));
+                                      secondary_colors, fog_coordinates, more));
     uses_version_2_ = uses_version_2_ || !w.IsNull() || !texcoords_rq.IsNull() ||
                       !edge_flags.IsNull() || !material_indices.IsNull() ||
-                      !secondary_colors.IsNull() || !fog_coordinates.IsNull();
+                      !secondary_colors.IsNull() || !fog_coordinates.IsNull() || !more.IsNull();
     return place;
+}
+
+Offset<flatbuffers::Vector<Offset<gwt::UnitTexcoords>>> Encoder::more_texcoords(const MeshData& m) {
+    if (std::ranges::all_of(m.more_texcoords, [](const auto& unit) { return unit.st.empty(); }))
+        return {};
+    std::vector<Offset<gwt::UnitTexcoords>> units;
+    for (const UnitTexcoords& unit : m.more_texcoords) {
+        const auto st = structs<gwt::Vec2>(unit.st), rq = structs<gwt::Vec2>(unit.rq);
+        units.push_back(gwt::CreateUnitTexcoords(out_, st, rq));
+    }
+    return out_.CreateVector(units);
+}
+
+Encoder::MorePlaces Encoder::more(const std::shared_ptr<const MoreBindings>& maps,
+                                  const MoreTexcoords& texcoords) {
+    MorePlaces places;
+    if (maps)
+        for (const TextureBinding& map : *maps) {
+            places.textures.push_back(texture(map));
+            places.slots.push_back(map.slot.value_or(no_place));
+        }
+    if (texcoords != initial_texcoords) places.texcoords.assign(texcoords.begin(), texcoords.end());
+    uses_version_2_ = uses_version_2_ || maps || !places.texcoords.empty();
+    return places;
 }
 
 std::uint32_t Encoder::texture(const TextureRef& ref) {
@@ -187,11 +223,12 @@ std::uint32_t Encoder::texture(const TextureRef& ref) {
     const auto name = out_.CreateString(ref->name);
     const auto stored8 = numbers(texels8);
     const auto stored16 = numbers(bytes ? std::vector<std::uint16_t>() : texels16);
-    uses_version_2_ = uses_version_2_ || ref->given_levels || ref->srgb;
-    textures_.push_back(gwt::CreateTexture(out_, name, level.width, level.height, stored8, stored16,
-                                           ref->given_levels ? int(ref->levels.size()) : 0,
-                                           file_enum<gwt::TextureFormat>(ref->format),
-                                           ref->dimensions, ref->border, ref->srgb));
+    uses_version_2_ = uses_version_2_ || is_of_version_2(*ref);
+    textures_.push_back(gwt::CreateTexture(
+        out_, name, level.width, level.height, stored8, stored16,
+        ref->given_levels ? int(ref->levels.size()) : 0, file_enum<gwt::TextureFormat>(ref->format),
+        ref->dimensions, ref->border, ref->srgb, ref->dimensions == 3 ? level.layers : 1, ref->cube,
+        ref->depths));
     return place;
 }
 
@@ -230,10 +267,14 @@ Offset<void> Encoder::command(const Draw& c) {
     const auto secondary = to_file(values.secondary_color);
     const bool has_secondary = values.secondary_color != vec3(0);
     uses_version_2_ = uses_version_2_ || c.back_material || c.current || !is_affine(c);
+    const MorePlaces places =
+        more(c.more_maps, c.current ? c.current->more_texcoords : initial_texcoords);
+    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots);
+    const auto more_texcoords = structs<gwt::Vec4>(places.texcoords);
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
                            c.id_base, c.id_shift, c.back_material ? &back : nullptr,
                            c.current ? &current : nullptr, has_secondary ? &secondary : nullptr,
-                           values.fog_coordinate)
+                           values.fog_coordinate, more_textures, more_slots, more_texcoords)
         .Union();
 }
 
@@ -243,6 +284,9 @@ Offset<void> Encoder::command(const DrawPixels& c) {
     const auto depths = numbers(c.depths), stencils = numbers(c.stencils);
     const auto bits = numbers(c.bits);
     const std::uint32_t texture_place = texture(c.map);
+    const MorePlaces places = more(c.more_maps, c.raster.more_texcoords);
+    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots);
+    const auto more_texcoords = structs<gwt::Vec4>(places.texcoords);
     const auto raster = to_file(c.raster);
     const auto secondary = to_file(c.raster.secondary_color);
     const bool has_secondary = c.raster.secondary_color != Rgba{};
@@ -251,7 +295,8 @@ Offset<void> Encoder::command(const DrawPixels& c) {
     return gwt::CreateDrawPixels(out_, c.width, c.height, &raster, c.zoom_x, c.zoom_y, colors,
                                  depths, stencils, bits, c.source ? &source : nullptr,
                                  texture_place, c.map.slot.value_or(no_place),
-                                 has_secondary ? &secondary : nullptr, c.raster.fog_coordinate)
+                                 has_secondary ? &secondary : nullptr, c.raster.fog_coordinate,
+                                 more_textures, more_slots, more_texcoords)
         .Union();
 }
 
@@ -284,7 +329,8 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.blend_color, e.blend_minmax, e.blend_subtract, e.draw_pixels, p.coverage_bits,
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
         e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
-        e.occlusion_query, e.clip_control);
+        e.occlusion_query, e.clip_control, e.texture_units, e.texture_depth, e.texture_cube,
+        e.texture_seamless, e.texture_3d);
 }
 
 bool needs_version_2(const Profile& p) {

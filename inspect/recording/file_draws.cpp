@@ -25,6 +25,18 @@ Material from_file(const gwt::Material& m) {
 FaceMaterials from_file(const gwt::FaceMaterials& m) {
     return {from_file(m.front()), from_file(m.back())};
 }
+namespace {
+
+MoreTexcoords more_texcoords(const auto& command) {
+    MoreTexcoords out = initial_texcoords;
+    if (has_more(command.more_texcoords(), "texture coordinates of units"))
+        for (unsigned i = 0; i < out.size(); ++i)
+            out[i] = from_file(*command.more_texcoords()->Get(i));
+    return out;
+}
+
+}  // namespace
+
 /// Absent members have their initial values.
 std::shared_ptr<const CurrentValues> current_values(const gwt::Draw& c) {
     CurrentValues out;
@@ -35,7 +47,9 @@ std::shared_ptr<const CurrentValues> current_values(const gwt::Draw& c) {
     }
     if (c.current_secondary_color()) out.secondary_color = from_file(*c.current_secondary_color());
     out.fog_coordinate = c.current_fog_coordinate();
-    const bool given = c.current() || c.current_secondary_color() || out.fog_coordinate != 0;
+    out.more_texcoords = more_texcoords(c);
+    const bool given = c.current() || c.current_secondary_color() || out.fog_coordinate != 0 ||
+                       out.more_texcoords != initial_texcoords;
     return given ? std::make_shared<const CurrentValues>(out) : nullptr;
 }
 RasterPosition raster_position(const gwt::DrawPixels& c) {
@@ -50,6 +64,7 @@ RasterPosition raster_position(const gwt::DrawPixels& c) {
     }
     if (c.raster_secondary_color()) out.secondary_color = from_file(*c.raster_secondary_color());
     out.fog_coordinate = c.raster_fog_coordinate();
+    out.more_texcoords = more_texcoords(c);
     return out;
 }
 PixelSource from_file(const gwt::PixelSource& s) {

@@ -122,6 +122,12 @@ auto& ours(OurState& s) {
         return s.texture.matrix;
     else if constexpr (name == "border_color")
         return s.texture.border_color;
+    else if constexpr (name == "compare_func")
+        return s.texture.compare_func;
+    else if constexpr (name == "wrap_r")
+        return s.texture.wrap_r;
+    else if constexpr (name == "seamless")
+        return s.texture.seamless;
     else if constexpr (name == "offset_lines")
         return s.polygon_offset.lines;
     else if constexpr (name == "offset_points")
@@ -178,6 +184,19 @@ flatbuffers::Offset<void> vector_to_file(flatbuffers::FlatBufferBuilder& out,
     return out.CreateVector(stipple.pattern->data(), stipple.pattern->size()).Union();
 }
 
+/// Each unit as a state that has nothing else.
+template <class File>
+flatbuffers::Offset<void> vector_to_file(flatbuffers::FlatBufferBuilder& out,
+                                         const MoreTextures& more) {
+    std::vector<flatbuffers::Offset<gwt::State>> all;
+    for (const TextureState& unit : *more.units) {
+        State s;
+        s.texture = unit;
+        all.push_back(inspect::to_file(out, s));
+    }
+    return out.CreateVector(all).Union();
+}
+
 template <std::size_t i>
 void add_vector(flatbuffers::FlatBufferBuilder& out, const State& s, Vectors& vectors) {
     if constexpr (is_vector<FileMember<i>>)
@@ -229,6 +248,16 @@ void read_elements(const Files& files, std::array<Element, size>& elements) {
 }
 constexpr std::size_t size_of(const auto& elements) { return elements.size(); }
 constexpr std::size_t size_of(const PolygonStippleState&) { return 32; }
+constexpr std::size_t size_of(const MoreTextures&) { return max_texture_units - 1; }
+
+template <class Files>
+void read_elements(const Files& files, MoreTextures& more) {
+    if (files.size() == 0) return;
+    std::array<TextureState, max_texture_units - 1> units;
+    for (unsigned i = 0; i < files.size(); ++i)
+        units[i] = inspect::from_file(*files.Get(i)).texture;
+    more.units = std::make_shared<const decltype(units)>(units);
+}
 
 template <class Files>
 void read_elements(const Files& files, PolygonStippleState& stipple) {

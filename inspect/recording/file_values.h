@@ -5,13 +5,16 @@
 #include "gw/command_list.h"
 #include "gw/describe/enumerators.h"
 #include "gw/error.h"
+#include "gw/profile.h"
 #include "gw/state.h"
 #include "inspect/recording/calls.h"
 #include "recording_generated.h"
 
 #include <fmt/format.h>
 
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace gw::inspect {
 
@@ -55,6 +58,21 @@ Ours our_enum(File value) {
             fmt::format("the value {} of an enumeration; expected 0 to {}", int(value), last));
     return static_cast<Ours>(value);
 }
+
+/// None, or as many as further texture units.
+template <typename Stored>
+bool has_more(const Stored* stored, const char* what) {
+    const std::size_t all = max_texture_units - 1, size = stored ? stored->size() : 0;
+    if (size != 0 && size != all) throw Error(fmt::format("{} {}; expected {}", size, what, all));
+    return size != 0;
+}
+
+/// All but its name.
+Profile from_file(const gwt::Profile& profile);
+/// A texture of given levels, of bytes or of 16-bit values. Throws Error for sizes that do not fit.
+TextureRef given_texture(const gwt::Texture& t, const std::string& name,
+                         const std::vector<std::uint8_t>& texels8,
+                         const std::vector<std::uint16_t>& texels16);
 
 /// The pipeline's state. A group at its initial value is not stored.
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& state);

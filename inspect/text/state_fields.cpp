@@ -30,17 +30,36 @@ std::string field_text(const PolygonStippleState& stipple) {
     return rows;
 }
 
-}  // namespace
+/// The values of each unit that are not the initial ones.
+std::string field_text(const MoreTextures& more);
 
-std::vector<Field> fields(const State& state) {
+/// All values of a struct that have a text.
+std::vector<Field> fields_in(const auto& values) {
     std::vector<Field> all;
     for_each_value(
-        state, [&](const Path& path, const auto& value,
-                   const auto&) requires requires { field_text(value); } {
+        values, [&](const Path& path, const auto& value,
+                    const auto&) requires requires { field_text(value); } {
             all.push_back({path.str(), field_text(value)});
         });
     return all;
 }
+
+std::string field_text(const MoreTextures& more) {
+    if (!more.units) return "none";
+    const std::vector<Field> initial = fields_in(TextureState{});
+    std::string out;
+    for (std::size_t unit = 0; unit < more.units->size(); ++unit) {
+        const std::vector<Field> now = fields_in((*more.units)[unit]);
+        out += fmt::format("{}{}:", unit > 0 ? "; " : "", unit + 1);
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (now[i] != initial[i]) out += fmt::format(" {} {}", now[i].name, now[i].value);
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<Field> fields(const State& state) { return fields_in(state); }
 
 std::vector<Field> changed_fields(const State& before, const State& state) {
     const std::vector<Field> old = fields(before), now = fields(state);

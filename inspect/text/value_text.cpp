@@ -29,8 +29,13 @@ std::string text(const Span& s) {
                        s.flat ? " flat" : "");
 }
 std::string text(const RasterPosition& r) {
-    return fmt::format("x {} y {} depth {} color {} texcoord {} distance {}", r.x, r.y, r.depth,
-                       text(r.color), text(r.texcoord), r.distance);
+    std::string out = fmt::format("x {} y {} depth {} color {} texcoord {} distance {}", r.x, r.y,
+                                  r.depth, text(r.color), text(r.texcoord), r.distance);
+    if (r.more_texcoords != initial_texcoords) out += " more_texcoords " + text(r.more_texcoords);
+    return out;
+}
+std::string text(const MoreTexcoords& v) {
+    return fmt::format("{}; {}; {}", text(v[0]), text(v[1]), text(v[2]));
 }
 std::string text(const std::optional<PixelSource>& s) {
     return s ? fmt::format("{} {} {}", text(s->plane), s->x, s->y) : "none";

@@ -25,7 +25,8 @@ std::string text(const dmat4& m);  ///< rows, as matrices are written
 std::string text(const Rgba& c);
 std::string text(const Rect& r);  ///< "x y width height"
 std::string text(const Span& s);
-std::string text(const RasterPosition& r);              ///< "x 4 y 2.5 depth 0 ..."
+std::string text(const RasterPosition& r);  ///< "x 4 y 2.5 depth 0 ..."
+std::string text(const MoreTexcoords& v);
 std::string text(const std::optional<PixelSource>& s);  ///< "Color 4 2"; "none"
 std::string text(const Material& m);                    ///< "Ka 0.2 0.2 0.2 Kd ..."
 std::string text(const FaceMaterials& m);

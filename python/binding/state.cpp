@@ -66,6 +66,16 @@ void set_stipple_pattern(State& s, const std::optional<StipplePattern>& pattern)
         pattern ? std::make_shared<const StipplePattern>(*pattern) : nullptr;
 }
 
+using UnitStates = std::array<TextureState, max_texture_units - 1>;
+
+std::optional<UnitStates> unit_states(const State& s) {
+    if (!s.more_textures.units) return {};
+    return *s.more_textures.units;
+}
+void set_unit_states(State& s, const std::optional<UnitStates>& units) {
+    s.more_textures.units = units ? std::make_shared<const UnitStates>(*units) : nullptr;
+}
+
 /// Adds a type of the state's description after its fields' types, once. Other types are
 /// Python's own.
 template <class T>
@@ -87,6 +97,8 @@ struct AddType {
     static void add_field(Fields<T>& fields, const gw::Field<T, Value>& f) {
         if constexpr (std::is_same_v<Value, PolygonStippleState>)
             fields.property(f.name, stipple_pattern, set_stipple_pattern, f.sentence);
+        else if constexpr (std::is_same_v<Value, MoreTextures>)
+            fields.property(f.name, unit_states, set_unit_states, f.sentence);
         else
             fields.field(f.name, f.member, f.sentence);
     }

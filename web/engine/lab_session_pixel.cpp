@@ -190,11 +190,11 @@ Json seen_json(const Fragments::Seen& seen) {
             {"after_depth", seen.after.depth}};
 }
 
-Json texture_json(const ref::Interpolants& values, const Texels& texels, const Resolved& state,
+Json texture_json(const ref::TextureValues& values, const Texels& texels, const Resolved& state,
                   int x, int y) {
     const TexelLevel& level = texels.levels[0];
     const TextureState& s = state.state.texture;
-    const float w = ref::reciprocal(values.texture_q, x, y);
+    const float w = ref::reciprocal(values.q, x, y);
     const int u = ref::level_coordinate(values.s, values.s.at(x, y, w), level.log2_width, s.wrap_s);
     const int v =
         ref::level_coordinate(values.t, values.t.at(x, y, w), level.log2_height, s.wrap_t);
@@ -207,7 +207,7 @@ Json texture_json(const ref::Interpolants& values, const Texels& texels, const R
                 {{"i", wrap_index(s.wrap_s, column, level.width)},
                  {"j", wrap_index(s.wrap_t, row, level.height)},
                  {"color", filter_texel(texels, level, addressing(s, texels, {}), column, row)}});
-    return {{"planes", Json::array({plane_json("Q", values.texture_q, x, y),
+    return {{"planes", Json::array({plane_json("Q", values.q, x, y),
                                     plane_json("U", values.s.plane, x, y),
                                     plane_json("V", values.t.plane, x, y)})},
             {"w", shortest(w)},
@@ -306,7 +306,7 @@ Json LabSession::pixel(const Json& options) {
         [&](const std::array<std::int64_t, 3>& a) {
             return ref::plane_through(t, {a[t.source[0]], a[t.source[1]], a[t.source[2]]});
         },
-        state, asked.profile, asked.texture ? ref::TextureUse::Plain : ref::TextureUse::None);
+        state, asked.profile, {asked.texture ? ref::TextureUse::Plain : ref::TextureUse::None});
     answer["depth"] = plane_json("Z", values.depth, x, y);
     answer["steps"] = steps_json(values.depth, std::max(0, x - 3), x, y);
     const bool inside = ref::covers(t, x, y);
@@ -322,9 +322,9 @@ Json LabSession::pixel(const Json& options) {
     Rgba color = ref::color_at(values, values.color, x, y, bits);
     answer["color"] = color;
     if (asked.texture) {
-        const Texels texels = make_texels(*asked.texture, bits, texel_bits(asked.profile));
-        answer["texture"] = texture_json(values, texels, state, x, y);
-        const Rgba texel = ref::texel_at(values, texels, state, 0, x, y);
+        const Texels texels = make_texels(*asked.texture, texel_bits_of(asked.profile));
+        answer["texture"] = texture_json(values.textures[0], texels, state, x, y);
+        const Rgba texel = ref::texel_at(values, 0, texels, state, 0, x, y);
         color = texture_environment(state.state.texture, texels.format, color, texel,
                                     state.env_color, bits);
     }

@@ -92,7 +92,7 @@ private:
                 make_texture_planes(draw_, primitive_, at, texture);
                 look_up(texture, draw_, bx, by, mask, outer_);
             }
-            return shaded(draw_, outer_.texel, outer_);
+            return shaded(draw_, outer_.texels[0], outer_);
         });
     }
 

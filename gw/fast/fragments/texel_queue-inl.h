@@ -52,7 +52,7 @@ HWY_NOINLINE inline void draw_waiting(BatchPlanes& planes) {
     for (std::size_t k = 0; k < q.count; ++k) {
         const TexelQueue::Block& b = q.blocks[k];
         for (std::size_t c = 0; c < 4; ++c)
-            spread_lanes(texels[c] + n, b.lanes, planes.in.texel.channel[c]);
+            spread_lanes(texels[c] + n, b.lanes, planes.in.texels[0].channel[c]);
         n += std::size_t(std::popcount(b.lanes));
         write_color(draw.op->state, planes.textured_color(b.triangle, b.x, b.y, b.lanes),
                     draw.tile.color[draw.tile.block(b.x, b.y)], b.lanes);

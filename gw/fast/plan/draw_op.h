@@ -7,6 +7,7 @@
 #include "gw/stages/resolve.h"
 #include "gw/stages/texels.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,14 @@ struct VertexTexcoords;
 struct FastTexels;
 struct TexelPairs;
 
+/// A texture unit of a draw that has others than the first.
+struct UnitOp {
+    const FastTexels* texels = nullptr;  ///< null: off
+    const VertexTexcoords* texcoords = nullptr;
+    bool projective = false;
+};
+using UnitOps = std::array<UnitOp, max_texture_units>;
+
 struct DrawOp {
     const Draw* const* draws;  ///< one for each part of `group`
     const Resolved& state;
@@ -34,7 +43,8 @@ struct DrawOp {
     const VertexTexcoords* texcoords = nullptr;  ///< null: untextured
     const FastTexels* texels = nullptr;          ///< null: untextured
     const TexelPairs* pairs = nullptr;           ///< of `texels`, if the filter is bilinear
-    bool texels_counted = false;                 ///< textured, even if nothing reads the colour
+    const UnitOps* units = nullptr;              ///< null: unit 0 only, by the members above
+    int look_ups = 0;  ///< texels of a fragment, even if nothing reads the colour
     const std::vector<std::uint32_t>* fog_table = nullptr;
     bool needs_color = true;         ///< a plane or the alpha test reads it
     bool uniform_color = false;      ///< each primitive has one colour at all its vertices
@@ -60,7 +70,7 @@ inline UniformPlanes touched_planes(const DrawOp& op) {
 /// Whether a texture is looked up pixel by pixel, whatever its coordinates: the shadow comparison,
 /// sizes and levels by rules of their own.
 inline bool has_rare_lookup(const TextureState& s, const Texels& texels) {
-    return s.shadow_compare || texels.any_size || !is_plain_lookup(s);
+    return s.shadow_compare || texels.any_size || texels.with_r || !is_plain_lookup(s);
 }
 /// Whether fragments have values that are found lane by lane (RarePlanes).
 inline bool has_rare_values(const DrawOp& op) { return op.sums_colors || op.direct_fog; }

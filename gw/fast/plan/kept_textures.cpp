@@ -23,13 +23,12 @@ KeptTextures::Version& KeptTextures::version_of(Kept& kept, const Texture& textu
     if (!kept.versions.empty()) crowded_.push_back(texture.history.address());
     if (!before) {
         made_ += 1;
-        return kept.versions.emplace_back(Version{
-            number, 0,
-            make_fast_texels(make_texels(texture, profile.color_bits, texel_bits(profile)))});
+        return kept.versions.emplace_back(
+            Version{number, 0, make_fast_texels(make_texels(texture, texel_bits_of(profile)))});
     }
     const auto parts = texture.history.since(before->number);
     Version& out = before->segment == segment_ ? kept.versions.emplace_back(*before) : *before;
-    update(out.texels, texture, parts, texel_bits(profile));
+    update(out.texels, texture, parts, texel_bits_of(profile));
     out.number = number;
     return out;
 }

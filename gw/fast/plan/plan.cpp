@@ -3,8 +3,10 @@
 #include "gw/base/parallel.h"
 #include "gw/base/prefetch.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/tables.h"
 #include "gw/stages/texgen.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gw::fast {
@@ -53,6 +55,22 @@ struct SharedValues {
         return out;
     }
 };
+
+/// The texels of a fragment, of all units.
+int look_ups_of(const Draw& draw, const State& state) {
+    int sum = 0;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+        const TextureBinding& map = map_of(draw, unit);
+        if (map.enabled())
+            sum += look_ups(texture_of(state, unit).min_filter,
+                            map.texture ? map.texture->dimensions : 2);
+    }
+    return sum;
+}
+/// Whether others than unit 0 are on.
+bool has_more(const Draw& draw) {
+    return draw.more_maps && std::ranges::any_of(*draw.more_maps, &TextureBinding::enabled);
+}
 
 /// Makes the operations of a scanned segment.
 struct Planner {
@@ -109,9 +127,9 @@ struct Planner {
         return fogs.find_or_make(hash, in, same_fog);
     }
     const VertexTexcoords* texcoords_of(const GroupDraws& in) {
-        const TextureState& t = in.state->texture;
+        const TextureState& t = texture_of(*in.state, in.unit);
         Hash hash;
-        hash.add(in.group.set).add(std::uint64_t(t.gen)).add(double(t.eta));
+        hash.add(in.group.set).add(std::uint64_t(t.gen) + 16 * in.unit).add(double(t.eta));
         if (t.gen == TexGen::EyeLinear) hash.add_all(&t.eye_linear[0][0], 16);
         if (t.matrix != dmat4(1)) hash.add_all(&t.matrix[0][0], 16);
         return texcoords.find_or_make(hash.value(), in, same_texcoords);
@@ -124,6 +142,30 @@ struct Planner {
             last_texels = &machine.texels.find_or_make(binding.texture, profile);
         }
         return last_texels;
+    }
+    /// Of all units, if others than the first are on.
+    void bind_units(DrawOp& op, const Draw& draw, GroupDraws in) {
+        UnitOps& units = segment.unit_ops.emplace_back();
+        for (in.unit = max_texture_units; in.unit-- > 0;) {
+            const TextureBinding& map = map_of(draw, in.unit);
+            if (!map.enabled()) continue;
+            units[in.unit] = {texels(map), texcoords_of(in),
+                              divides_by_q(texture_of(*in.state, in.unit), draw, in.unit)};
+            op.texels = units[in.unit].texels;
+            op.texcoords = units[in.unit].texcoords;
+            op.projective = units[in.unit].projective;
+        }
+        op.units = &units;
+    }
+    void bind_texture(DrawOp& op, const Draw& draw, const GroupDraws& in) {
+        FastTexels* const found = texels(draw.map);
+        const TextureState& t = in.state->texture;
+        op.texels = found;
+        op.projective = divides_by_q(t, draw);
+        const bool one_by_one = op.projective || has_rare_lookup(t, found->texels);
+        if (!one_by_one && (is_linear(t, false) || is_linear(t, true)))
+            op.pairs = texel_pairs(*found, addressing(t, found->texels, op.state.border_color));
+        op.texcoords = texcoords_of(in);
     }
     const std::vector<std::uint32_t>* table_of(ScannedState& state) {
         if (!state.fog_table) {
@@ -154,18 +196,10 @@ struct Planner {
                                state.shade_model == ShadeModel::Smooth &&
                                state.color_source != ColorSource::PolygonId;
         const bool exact_id = state.color_source == ColorSource::PolygonId;
-        op.texels_counted = first.map.enabled() && !exact_id;
+        if (!exact_id) op.look_ups = look_ups_of(first, state);
         const GroupDraws inputs{group, &state, draws};
-        if (op.texels_counted && op.needs_color) {
-            FastTexels* const found = texels(first.map);
-            const TextureState& t = state.texture;
-            op.texels = found;
-            op.projective = divides_by_q(t, first);
-            const bool one_by_one = op.projective || has_rare_lookup(t, found->texels);
-            if (!one_by_one && (is_linear(t, false) || is_linear(t, true)))
-                op.pairs = texel_pairs(*found, addressing(t, found->texels, op.state.border_color));
-            op.texcoords = texcoords_of(inputs);
-        }
+        if (op.look_ups > 0 && op.needs_color)
+            has_more(first) ? bind_units(op, first, inputs) : bind_texture(op, first, inputs);
         if (op.needs_color && !exact_id) op.colors = colors_of(inputs);
         if (op.colors && state.fog.enable) op.fog = fog_of(inputs);
         if (state.fog.enable && op.state.fragment_fog) op.fog_table = table_of(scanned);
@@ -189,7 +223,9 @@ struct Planner {
     }
     void add(const DrawPixels& draw, const Step& step) {
         const Resolved& state = step.state->resolved;
-        const Texels* const used = draw.map.enabled() ? &texels(draw.map)->texels : nullptr;
+        BoundTexels used{};
+        for (std::size_t unit = 0; unit < used.size(); ++unit)
+            if (map_of(draw, unit).enabled()) used[unit] = &texels(map_of(draw, unit))->texels;
         const PlacedPixels& placed = segment.placed_pixels.emplace_back(draw, state, profile, used);
         segment.ops.push_back({DrawPixelsOp{&placed, state, step.state->bytes}, step.pass});
     }
@@ -267,7 +303,7 @@ struct Planner {
         op.wide_texcoords = op.texcoords && op.texcoords->are_wide && !op.projective;
         // Borders in more than 8 bits have no pairs.
         const TextureState& texture = op.state.state.texture;
-        op.by_pixel = op.texels && (op.projective || op.wide_texcoords ||
+        op.by_pixel = op.texels && (op.units || op.projective || op.wide_texcoords ||
                                     has_rare_lookup(texture, op.texels->texels) ||
                                     (!op.pairs && reaches_border(texture)));
         machine.passes[pass].counters += op.group->counters();
@@ -311,6 +347,7 @@ void end_segment(MachineState& machine) {
     clear(segment.tile_ops);
     segment.fog_tables.clear();
     segment.placed_pixels.clear();
+    segment.unit_ops.clear();
     for (GeometryScratch& scratch : segment.scratch) scratch.trim();
     segment.uses_accum = false;
     segment.uses_both_colors = false;

@@ -70,6 +70,7 @@ struct Segment {
     Pool<VertexTexcoords> texcoords;
     std::deque<std::vector<std::uint32_t>> fog_tables;
     std::deque<PlacedPixels> placed_pixels;
+    std::deque<UnitOps> unit_ops;
     std::vector<GeometryScratch> scratch;  ///< by worker
     bool uses_accum = false;
     bool uses_both_colors = false;

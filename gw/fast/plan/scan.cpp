@@ -69,9 +69,15 @@ std::uint64_t part_hash(std::uint64_t draw_hash, const ScannedState& state) {
 }
 
 /// Whether two draws look up one texture in one way.
-bool same_map(const Draw& a, const Draw& b, const TextureState& state) {
-    if (a.map.texture != b.map.texture || a.map.slot != b.map.slot) return false;
-    return !a.map.enabled() || divides_by_q(state, a) == divides_by_q(state, b);
+bool same_map(const Draw& a, const Draw& b, const State& state) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+        if (unit > 0 && !a.more_maps && !b.more_maps) break;
+        const TextureBinding &m = map_of(a, unit), &n = map_of(b, unit);
+        if (m.texture != n.texture || m.slot != n.slot) return false;
+        const TextureState& own = texture_of(state, unit);
+        if (m.enabled() && divides_by_q(own, a, unit) != divides_by_q(own, b, unit)) return false;
+    }
+    return true;
 }
 
 std::optional<Plane> plane_of(DrawBuffer buffer) {
@@ -226,7 +232,7 @@ void Scan::add_draw(const Command& command, const Draw& draw, std::uint64_t draw
     const bool continues = last && last->state == state_ && last->pass + 1 == passes_->size() &&
                            part.index == last->part->index + 1 && part.is_small &&
                            last->part->is_small &&
-                           same_map(std::get<Draw>(*last->command), draw, state_->state->texture);
+                           same_map(std::get<Draw>(*last->command), draw, *state_->state);
     if (!continues) {
         end_run();
         part.begins_group = true;

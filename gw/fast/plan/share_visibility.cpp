@@ -19,7 +19,7 @@ bool may_share(const DrawOp& op) {
     if (has_rare_values(op)) return false;
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
-    return s.depth.func == DepthFunc::Equal && !is_special(s) &&
+    return s.depth.func == DepthFunc::Equal && !is_special(s) && !op.units &&
            s.alpha.func == AlphaFunc::Always && (keeps_stencil(face) || counts_visible) &&
            !(s.stencil.test && s.stencil.two_side);
 }
@@ -61,7 +61,7 @@ Change change(const ReadOp&) { return Change::None; }
 /// Whether a draw is a depth pass of triangles only, all of whose fragments reach the depth test.
 bool may_record(const DrawOp& op) {
     const State& s = op.state.state;
-    return change(op) == Change::Less && !is_special(s) && !has_rare_values(op) &&
+    return change(op) == Change::Less && !is_special(s) && !has_rare_values(op) && !op.units &&
            s.alpha.func == AlphaFunc::Always && !s.polygon_offset.enable &&
            ignores_stencil(op.state.front) && ignores_stencil(op.state.back) &&
            op.set->triangle_count == op.set->primitives.size();

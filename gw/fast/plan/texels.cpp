@@ -93,12 +93,12 @@ FastTexels make_fast_texels(Texels texels) {
 }
 
 void update(FastTexels& fast, const Texture& texture, std::span<const TexturePart> parts,
-            int texel_bits) {
+            const TexelBits& bits) {
     const int border = texture.border ? 1 : 0, border_t = texture.dimensions == 2 ? border : 0;
     for (const TexturePart& part : parts) {
         const auto i = std::size_t(part.level);
         if (i >= texture.levels.size() || part.rect.area() == 0) continue;
-        update_texels(fast.texels, texture, part, texel_bits);
+        update_texels(fast.texels, texture, part, bits);
         const Rect inner{part.rect.x - border, part.rect.y - border_t, part.rect.width,
                          part.rect.height};
         for (TexelPairs& p : fast.pairs)

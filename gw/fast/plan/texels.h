@@ -36,7 +36,7 @@ FastTexels make_fast_texels(Texels texels);
 
 /// Takes parts over from a texture with the same levels, into the pairs too.
 void update(FastTexels& texels, const Texture& texture, std::span<const TexturePart> parts,
-            int texel_bits);
+            const TexelBits& bits);
 
 /// The texture's pairs; null if it has more than 8 bits, or already pairs with many border colours.
 const TexelPairs* texel_pairs(FastTexels& texels, Addressing how);

@@ -56,12 +56,9 @@ private:
 bool counts_alike(const TileOp& a, const TileOp& b) {
     const DrawOp *p = std::get_if<DrawOp>(&a.op), *q = std::get_if<DrawOp>(&b.op);
     if (!p || !q || a.pass != b.pass) return false;
-    const auto texels = [](const DrawOp& op) {
-        return op.texels_counted ? texel_count(op.state.state.texture.min_filter) : 0;
-    };
     return p->bytes.after_alpha == q->bytes.after_alpha &&
            p->bytes.after_stencil == q->bytes.after_stencil &&
-           p->bytes.written == q->bytes.written && texels(*p) == texels(*q);
+           p->bytes.written == q->bytes.written && p->look_ups == q->look_ups;
 }
 
 void give_count_slots(Segment& segment) {

@@ -3,6 +3,7 @@
 #include "gw/base/arithmetic.h"
 #include "gw/command_list.h"
 #include "gw/fast/plan/draw_op.h"
+#include "gw/fast/plan/texels.h"
 #include "gw/fast/plan/tile_draw.h"
 #include "gw/fast/raster/setup.h"
 #include "gw/fast/vertices/vertex_values.h"
@@ -133,36 +134,52 @@ struct Maker {
     static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
         return {plane, n.exponent, std::int32_t(added_part(n.offset, wrap)), {}};
     }
-    Numerators coordinate(int c, Wrap wrap) const {
-        const auto s = gather<double>([&](std::uint32_t v) { return op().texcoords->strq[v][c]; });
+    Numerators coordinate(const VertexTexcoords& of, int c, Wrap wrap) const {
+        const auto s = gather<double>([&](std::uint32_t v) { return of.strq[v][c]; });
         return texture_numerators(used(s), used(w()), repeats(wrap));
     }
 
     void texture(TexturePlanes& out) const {
-        const TextureState& ts = state().texture;
-        Numerators s, t;
+        if (!op().units)
+            return texture(out, state().texture, {op().texels, op().texcoords, op().projective});
+        out.more.resize(max_texture_units - 1);
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+            if ((*op().units)[unit].texels)
+                texture(unit == 0 ? out : out.more[unit - 1], texture_of(state(), unit),
+                        (*op().units)[unit]);
+    }
+
+    void texture(TexturePlanes& out, const TextureState& ts, const UnitOp& unit) const {
+        Numerators s, t, r;
         Values q;
-        if (op().projective) {
+        if (unit.projective) {
             const auto strq =
-                gather<dvec4>([&](std::uint32_t v) { return op().texcoords->strq[v]; });
+                gather<dvec4>([&](std::uint32_t v) { return unit.texcoords->strq[v]; });
             const Projective p = projective(std::span(strq).first(corners()), used(w()));
             q = p.denominator;
             s = p.numerator[0];
             t = p.numerator[1];
-            out.r = texture_plane(frame.plane(p.numerator[2].at), p.numerator[2], Wrap::Repeat);
+            r = p.numerator[2];
+            out.r = texture_plane(frame.plane(r.at), r, Wrap::Repeat);
         } else {
             q = denominators(used(w()));
-            s = coordinate(0, ts.wrap_s);
-            t = coordinate(1, ts.wrap_t);
+            s = coordinate(*unit.texcoords, 0, ts.wrap_s);
+            t = coordinate(*unit.texcoords, 1, ts.wrap_t);
             out.r = {};
         }
         out.q = frame.plane(q);
         const auto plane = [&](const Numerators& n) {
-            return op().projective ? frame.plane(n.at) : numerator(n.at);
+            return unit.projective ? frame.plane(n.at) : numerator(n.at);
         };
         out.s = texture_plane(plane(s), s, ts.wrap_s);
         out.t = texture_plane(plane(t), t, ts.wrap_t);
-        if (needs_rho(ts)) slopes(out, q, s.at, t.at);
+        if (!needs_rho(ts)) return;
+        slopes(out, q, s.at, t.at);
+        if (!unit.texels->texels.with_r) return;
+        out.q_slope = slope_of(out.q, q);
+        out.s.plane_slope = slope_of(out.s.plane, s.at);
+        out.t.plane_slope = slope_of(out.t.plane, t.at);
+        out.r.plane_slope = slope_of(out.r.plane, r.at);
     }
 
     /// The exact value of a plane at the pixel of its base vertex, and its gradients before they

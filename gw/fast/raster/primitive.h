@@ -7,7 +7,9 @@
 #include "gw/stages/perspective.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
+#include <vector>
 
 namespace gw::fast {
 
@@ -76,12 +78,15 @@ struct TexturePlane {
     int exponent = 0;
     std::int32_t k = 0;  ///< 0 under Repeat
     CoordinateSlope slope;
+    PlaneSlope plane_slope;  ///< of textures with r
 };
 
 struct TexturePlanes {
     TilePlane q;
     TexturePlane s, t, r;
-    int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
+    int slope_x = 0, slope_y = 0;     ///< window pixel that the slopes are given at
+    PlaneSlope q_slope;               ///< of textures with r
+    std::vector<TexturePlanes> more;  ///< of units 1 to 3, if the draw has several
 };
 
 /// Fragments of several blocks, whose texels are looked up together: lanes that lie side by side,
@@ -144,8 +149,13 @@ void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
 void find_rare_values(const RarePlanes& planes, const TileDraw& draw, int bx, int by,
                       std::uint32_t mask, ColorBlock& secondary, std::uint32_t* fog_factor);
 
-/// Lanes of `mask` in block (bx, by), one by one.
+/// The texels of a block, by unit.
+using TexelBlocks = std::array<ColorBlock, max_texture_units>;
+/// Lanes of `mask` in block (bx, by), one by one, of all units.
 void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
-                     std::uint32_t mask, ColorBlock& out);
+                     std::uint32_t mask, TexelBlocks& out);
+/// The environments of a draw's units in turn.
+void apply_units(const TileDraw& draw, const ColorBlock& color, const TexelBlocks& texels,
+                 ColorBlock& out);
 
 }  // namespace gw::fast

@@ -86,7 +86,7 @@ struct BatchPlanes {
         if (!flat || flat_in != i) evaluate(i, bx, by, mask);
         if (has_rare_values(*draw.op))
             find_rare_values(scratch.rare[i], draw, bx, by, mask, in.secondary, in.fog);
-        return shaded(draw, in.texel, in);
+        return shaded(draw, in.texels[0], in);
     }
     /// Whether texels can be looked up for several blocks at once.
     HWY_INLINE bool may_queue() const {

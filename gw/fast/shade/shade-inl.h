@@ -30,8 +30,8 @@ HWY_INLINE void shade_depth(const DepthPlane& p, std::uint32_t max_depth, int bx
 /// The inputs of shading for 16 pixels, which may belong to different primitives.
 struct ShadeInputs {
     ColorBlock color;
-    ColorBlock texel;
-    ColorBlock out;  ///< of the texture environment, colour sum and fog
+    TexelBlocks texels;  ///< by unit; most draws have the first only
+    ColorBlock out;      ///< of the texture environment, colour sum and fog
     ColorBlock secondary;
     TextureInputs texture;
     TextureLanes divided;
@@ -130,8 +130,8 @@ HWY_NOINLINE inline void combine_block(const DrawOp& op, const ColorBlock& color
     };
     for (std::size_t i = 0; i < block_pixels; ++i) {
         const Rgba combined =
-            combine(op.state.state.texture, op.texels->texels.format, at(color, i), at(texel, i),
-                    op.state.env_color, op.state.bits);
+            texture_environment(op.state.state.texture, op.texels->texels.format, at(color, i),
+                                at(texel, i), op.state.env_color, op.state.bits);
         for (std::size_t c = 0; c < 4; ++c) out.channel[c][i] = combined[c];
     }
 }
@@ -247,7 +247,10 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     if (s.color_source == ColorSource::PolygonId) return in.color;
     const ColorBlock* color = &in.color;
     if (op.texels) {
-        apply_environment(op, *color, texel, in.out);
+        if (op.units)
+            apply_units(draw, *color, in.texels, in.out);
+        else
+            apply_environment(op, *color, texel, in.out);
         color = &in.out;
     }
     if (op.sums_colors) {
@@ -264,10 +267,10 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
 /// Looks up the lanes of `mask`, which one primitive covers.
 HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by,
                         std::uint32_t mask, ShadeInputs& in) {
-    if (textures_by_pixel(*draw.op)) return sample_by_pixel(p, draw, bx, by, mask, in.texel);
+    if (textures_by_pixel(*draw.op)) return sample_by_pixel(p, draw, bx, by, mask, in.texels);
     const Sampler sampler = sampler_of(*draw.op);
     divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
-    sample_block(sampler, in.divided, mask, in.texel);
+    sample_block(sampler, in.divided, mask, in.texels[0]);
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -8,6 +8,8 @@
 #include "gw/fast/plan/texels.h"
 #include "gw/fast/plan/tile_draw.h"
 #include "gw/profile.h"
+#include "gw/stages/tables.h"
+#include "gw/stages/textures/layers.h"
 
 #include <algorithm>
 #include <bit>
@@ -28,7 +30,9 @@ struct PixelSampler {
     const TexturePlanes& p;
     const TileDraw& draw;
     const TextureState& state;
+    const ResolvedTexture& resolved;
     const Texels& texels;
+    bool projective;
     int i, j;
     std::int32_t q = 1;
     float w = 1;
@@ -37,7 +41,7 @@ struct PixelSampler {
         return static_cast<float>(value_of(t.plane, i, j)) * w;
     }
     int position(const TexturePlane& t, int size, Wrap wrap) const {
-        const bool wide = !draw.op->projective && t.exponent > largest_exponent_in_float;
+        const bool wide = !projective && t.exponent > largest_exponent_in_float;
         const auto u = [&] { return value_of(t.plane, i, j); };
         if (texels.any_size || wrap == Wrap::MirroredRepeat)
             return any_position(wide ? double(u()) / double(q) : double(over_q(t)), t.exponent, t.k,
@@ -52,8 +56,7 @@ struct PixelSampler {
         return {c, c, c, c};
     }
 
-    const Resolved& resolved() const { return draw.op->state; }
-    Addressing how() const { return addressing(state, texels, resolved().border_color); }
+    Addressing how() const { return addressing(state, texels, resolved.border_color); }
     int base_level() const { return level_range(state, int(texels.levels.size())).base; }
 
     bool is_lit() const {
@@ -62,8 +65,10 @@ struct PixelSampler {
         const int u = position(p.s, level.width, state.wrap_s) >> 8;
         const int v = position(p.t, level.height, state.wrap_t) >> 8;
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
-        return to_integer(std::floor(r), 0, max_of_bits(bits)) <=
-               nearest_depth(texels, level, how(), u, v, resolved().border_depth);
+        const auto incoming =
+            static_cast<std::uint32_t>(to_integer(std::floor(r), 0, max_of_bits(bits)));
+        return compare(state.compare_func, incoming,
+                       nearest_depth(texels, level, how(), u, v, resolved.border_depth));
     }
 
     float rho() const {
@@ -72,8 +77,8 @@ struct PixelSampler {
         const double s = std::ldexp(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
         const double t = std::ldexp(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
         const float found = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
-        const Resolved& r = resolved();
-        return std::min(std::max(found * r.rho_scale, r.least_rho), r.greatest_rho);
+        return std::min(std::max(found * resolved.rho_scale, resolved.least_rho),
+                        resolved.greatest_rho);
     }
 
     Rgba sample(int index, bool linear) const {
@@ -82,9 +87,22 @@ struct PixelSampler {
                       position(p.t, level.height, state.wrap_t));
     }
 
+    Rgba with_r() const {
+        const auto at = [&](const TexturePlane& c) {
+            return PixelCoordinate{value_of(c.plane, i, j), c.exponent, c.plane_slope};
+        };
+        return texel_with_r(texels, state, resolved, draw.profile->depth_bits,
+                            {{at(p.s), at(p.t), at(p.r)},
+                             q,
+                             p.q_slope,
+                             draw.tile.x + i - p.slope_x,
+                             draw.tile.y + j - p.slope_y});
+    }
+
     Rgba texel() {
         q = value_of(p.q, i, j);
-        if (draw.op->projective && q < 1) return grey(true);
+        if (texels.with_r) return with_r();
+        if (projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
         if (state.shadow_compare) return grey(is_lit());
         LevelChoice choice{.magnify = true, .level = base_level()};
@@ -95,20 +113,56 @@ struct PixelSampler {
     }
 };
 
-}  // namespace
-
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
-                     std::uint32_t mask, ColorBlock& out) {
+void sample_unit(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
+                 const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out) {
     for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
         PixelSampler pixel{planes,
                            draw,
-                           draw.op->state.state.texture,
-                           draw.op->texels->texels,
+                           texture_of(draw.op->state.state, unit),
+                           draw.op->state.texture(unit),
+                           op.texels->texels,
+                           op.projective,
                            bx * block_side + lane % block_side,
                            by * block_side + lane / block_side};
         const Rgba texel = pixel.texel();
         for (std::size_t c = 0; c < 4; ++c) out.channel[c][lane] = texel[c];
+    }
+}
+
+Rgba lane_of(const ColorBlock& b, std::size_t i) {
+    return {b.channel[0][i], b.channel[1][i], b.channel[2][i], b.channel[3][i]};
+}
+
+}  // namespace
+
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
+                     std::uint32_t mask, TexelBlocks& out) {
+    const DrawOp& op = *draw.op;
+    if (!op.units)
+        return sample_unit(planes, draw, 0, {op.texels, op.texcoords, op.projective}, bx, by, mask,
+                           out[0]);
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if ((*op.units)[unit].texels)
+            sample_unit(unit == 0 ? planes : planes.more[unit - 1], draw, unit, (*op.units)[unit],
+                        bx, by, mask, out[unit]);
+}
+
+void apply_units(const TileDraw& draw, const ColorBlock& color, const TexelBlocks& texels,
+                 ColorBlock& out) {
+    const DrawOp& op = *draw.op;
+    for (std::size_t i = 0; i < block_pixels; ++i) {
+        UnitTexels at;
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+            if (const FastTexels* const of = (*op.units)[unit].texels)
+                at.set(unit, of->texels.format, lane_of(texels[unit], i));
+        const Rgba primary = lane_of(color, i);
+        Rgba shaded = primary;
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+            if (at.has(unit))
+                shaded = unit_environment(texture_of(op.state.state, unit), at, unit, primary,
+                                          shaded, op.state.texture(unit).env_color, op.state.bits);
+        for (std::size_t c = 0; c < 4; ++c) out.channel[c][i] = shaded[c];
     }
 }
 

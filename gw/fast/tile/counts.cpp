@@ -34,8 +34,7 @@ struct Count {
 
     Counters operator()(const DrawOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
-        if (op.texels_counted)
-            c.texels = n.fragments * std::uint64_t(texel_count(op.state.state.texture.min_filter));
+        c.texels = n.fragments * std::uint64_t(op.look_ups);
         return c;
     }
     Counters operator()(const SpansOp& op) const { return fragment_counters(n, op.bytes); }
@@ -47,8 +46,7 @@ struct Count {
     Counters operator()(const DrawPixelsOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
         c += pixel_counters(n, plane_bytes(Plane::Stencil, profile));
-        if (op.placed->is_textured())
-            c.texels = n.fragments * std::uint64_t(texel_count(op.state.state.texture.min_filter));
+        c.texels = n.fragments * std::uint64_t(op.placed->look_ups());
         return c;
     }
     Counters operator()(const ClearOp& op) const {

@@ -35,6 +35,7 @@ bool same_factors(FogState a, const FogState& b) {
 void VertexInputs::begin(const GroupDraws& group) {
     set = group.group.set;
     state = group.state;
+    unit = group.unit;
     draws.assign(set->parts.size(), nullptr);
 }
 
@@ -78,14 +79,15 @@ bool same_fog(const VertexInputs& a, const GroupDraws& b) {
 }
 
 bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
-    const TextureState &s = a.state->texture, &t = b.state->texture;
-    return a.set == b.group.set && s.gen == t.gen &&
+    const TextureState &s = texture_of(*a.state, b.unit), &t = texture_of(*b.state, b.unit);
+    return a.set == b.group.set && a.unit == b.unit && s.gen == t.gen &&
            (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
            (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
            (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
            s.matrix == t.matrix && a.state->normalize == b.state->normalize &&
-           same_given(a, b, [](const Draw& x, const Draw& y) {
-               return same_current(x, y) && is_one_dimensional(x) == is_one_dimensional(y);
+           same_given(a, b, [&](const Draw& x, const Draw& y) {
+               return same_current(x, y) &&
+                      is_one_dimensional(x, b.unit) == is_one_dimensional(y, b.unit);
            });
 }
 

@@ -16,9 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
 /// Any vertices.
-inline void generate_one_by_one(const VertexProgram& p, std::span<const std::uint32_t> indices,
-                                std::span<dvec4> strq) {
-    for (const std::uint32_t i : indices) strq[i] = run_vertex(p, i).texcoord;
+inline void generate_one_by_one(const VertexProgram& p, std::size_t of,
+                                std::span<const std::uint32_t> indices, std::span<dvec4> strq) {
+    for (const std::uint32_t i : indices) strq[i] = run_vertex(p, i).texcoord_of(of);
 }
 
 #if HWY_HAVE_FLOAT64
@@ -43,6 +43,8 @@ inline Vec3 refracted(const Vec3& u, const Vec3& n, double eta) {
             hn::IfThenElse(total, r.y, through(u.y, n.y)),
             hn::IfThenElse(total, r.z, through(u.z, n.z))};
 }
+
+inline V64 component(const Vec3& v, int i) { return i == 0 ? v.x : i == 1 ? v.y : v.z; }
 
 struct SphereLanes {
     V64 s, t;
@@ -70,11 +72,12 @@ inline Vec4 transform(const dmat4& m, const Vec4& v) {
 }
 
 /// given_texcoord() of gw/stages/vertex.h. Lanes beyond the last vertex repeat the first.
-inline Vec4 given_texcoords(const Draw& draw, std::span<const std::uint32_t> indices) {
+inline Vec4 given_texcoords(const Draw& draw, std::size_t of,
+                            std::span<const std::uint32_t> indices) {
     const D64 d;
     alignas(64) double lanes[4][8];
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-        const dvec4 v = given_texcoord(draw, indices[i < indices.size() ? i : 0]);
+        const dvec4 v = given_texcoord(draw, indices[i < indices.size() ? i : 0], of);
         for (int c = 0; c < 4; ++c) lanes[c][i] = v[c];
     }
     return {{hn::Load(d, lanes[0]), hn::Load(d, lanes[1]), hn::Load(d, lanes[2]),
@@ -84,8 +87,9 @@ inline Vec4 given_texcoords(const Draw& draw, std::span<const std::uint32_t> ind
 /// Up to a vector of vertices of one draw. Precondition: the program is affine.
 struct TexgenLanes {
     const VertexProgram& p;
+    std::size_t of;  ///< the texture unit
     std::span<const std::uint32_t> indices;
-    const TextureState& state = p.state->texture;
+    const TextureState& state = texture_of(*p.state, of);
 
     SphereLanes map() const {
         const Vec3 u = unit(eye_position(p, indices)), n = eye_normal(p, indices);
@@ -94,7 +98,7 @@ struct TexgenLanes {
     }
 
     Vec4 by_coordinate() const {
-        Vec4 out = given_texcoords(*p.draw, indices);
+        Vec4 out = given_texcoords(*p.draw, of, indices);
         for (int i = 0; i < 4; ++i) {
             const auto& [mode, plane] = state.coordinates[std::size_t(i)];
             V64& lane = out.lane[i];
@@ -105,6 +109,11 @@ struct TexgenLanes {
                     break;
                 case CoordinateMode::EyeLinear: lane = dot(plane, eye_position(p, indices)); break;
                 case CoordinateMode::SphereMap: lane = i == 0 ? map().s : map().t; break;
+                case CoordinateMode::NormalMap: lane = component(eye_normal(p, indices), i); break;
+                case CoordinateMode::ReflectionMap:
+                    lane = component(
+                        reflected(unit(eye_position(p, indices)), eye_normal(p, indices)), i);
+                    break;
             }
         }
         return out;
@@ -125,19 +134,19 @@ struct TexgenLanes {
             }
             case TexGen::PerCoordinate: return by_coordinate();
         }
-        return given_texcoords(*p.draw, indices);
+        return given_texcoords(*p.draw, of, indices);
     }
 };
 
-void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
+void generate_all(const VertexProgram& p, std::size_t of, std::span<const std::uint32_t> indices,
                   std::span<dvec4> strq) {
-    if (!p.is_affine) return generate_one_by_one(p, indices, strq);
+    if (!p.is_affine) return generate_one_by_one(p, of, indices, strq);
     const D64 d;
-    const dmat4& matrix = p.state->texture.matrix;
-    const bool transforms = matrix != dmat4(1), is_line = is_one_dimensional(*p.draw);
+    const dmat4& matrix = texture_of(*p.state, of).matrix;
+    const bool transforms = matrix != dmat4(1), is_line = is_one_dimensional(*p.draw, of);
     for (std::size_t first = 0; first < indices.size(); first += hn::Lanes(d)) {
         const auto some = indices.subspan(first, std::min(hn::Lanes(d), indices.size() - first));
-        Vec4 at = TexgenLanes{p, some}.generated();
+        Vec4 at = TexgenLanes{p, of, some}.generated();
         if (transforms) at = transform(matrix, at);
         if (is_line) at.lane[1] = all(0);
         alignas(64) double out[4][8];
@@ -149,9 +158,9 @@ void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices
 
 #else  // no vectors of doubles here
 
-void generate_all(const VertexProgram& p, std::span<const std::uint32_t> indices,
+void generate_all(const VertexProgram& p, std::size_t of, std::span<const std::uint32_t> indices,
                   std::span<dvec4> strq) {
-    generate_one_by_one(p, indices, strq);
+    generate_one_by_one(p, of, indices, strq);
 }
 
 #endif
@@ -164,9 +173,9 @@ namespace gw::fast {
 
 HWY_EXPORT(generate_all);
 
-void generate_texcoords(const VertexProgram& program, std::span<const std::uint32_t> indices,
-                        std::span<dvec4> strq) {
-    HWY_DYNAMIC_DISPATCH(generate_all)(program, indices, strq);
+void generate_texcoords(const VertexProgram& program, std::size_t unit,
+                        std::span<const std::uint32_t> indices, std::span<dvec4> strq) {
+    HWY_DYNAMIC_DISPATCH(generate_all)(program, unit, indices, strq);
 }
 
 }  // namespace gw::fast

@@ -11,7 +11,7 @@ namespace gw::fast {
 
 /// texture_coordinates() of gw/stages/texgen.h, bounded, for the mesh's vertices `indices`: strq[i]
 /// for each.
-void generate_texcoords(const VertexProgram& program, std::span<const std::uint32_t> indices,
-                        std::span<dvec4> strq);
+void generate_texcoords(const VertexProgram& program, std::size_t unit,
+                        std::span<const std::uint32_t> indices, std::span<dvec4> strq);
 
 }  // namespace gw::fast

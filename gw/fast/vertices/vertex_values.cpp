@@ -100,9 +100,10 @@ private:
 class Untextured {
 public:
     explicit Untextured(const Draw& draw) : draw_(&draw) {
-        if (!draw.map.enabled()) return;
+        if (!is_textured(draw)) return;
         copy_ = draw;
         copy_->map = {};
+        copy_->more_maps = {};
         draw_ = &*copy_;
     }
     const Draw& operator*() const { return *draw_; }
@@ -229,7 +230,7 @@ bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexCo
 }  // namespace
 
 void shade_vertices(VertexColors& out, const Profile& profile) {
-    const auto& [set, state, draws] = out.inputs;
+    const auto& [set, state, draws, unit] = out.inputs;
     State unfogged = *state;
     unfogged.fog.enable = false;
     Programs programs(unfogged, profile);
@@ -266,7 +267,7 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
 }
 
 void fog_vertices(VertexFog& out, const Profile& profile) {
-    const auto& [set, state, draws] = out.inputs;
+    const auto& [set, state, draws, unit] = out.inputs;
     State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
     Programs programs(unlit, profile);
@@ -312,7 +313,8 @@ bool are_wide(const VertexTexcoords& texcoords) {
 }  // namespace
 
 void texture_vertices(VertexTexcoords& out, const Profile& profile) {
-    const auto& [set, state, draws] = out.inputs;
+    const auto& [set, state, draws, unit] = out.inputs;
+    const TextureState& texture = texture_of(*state, unit);
     State unlit = *state;
     unlit.color_source = ColorSource::PolygonId;
     unlit.fog.enable = false;
@@ -323,16 +325,17 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         const PartVertices vertices(*set, i);
         const std::span<dvec4> strq = vertices.of(out.strq);
         const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
-        const bool as_given = state->texture.gen == TexGen::None && !given.empty() &&
+        const bool as_given = unit == 0 && texture.gen == TexGen::None && !given.empty() &&
                               draws[i]->mesh->data().texcoords_rq.empty() &&
-                              state->texture.matrix == dmat4(1) && !is_one_dimensional(*draws[i]);
+                              texture.matrix == dmat4(1) && !is_one_dimensional(*draws[i]);
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
         if (as_given && !vertices.is_clipped()) continue;
         const VertexProgram& program = programs.of(*draws[i]);
-        if (!as_given) generate_texcoords(program, vertices.used, strq);
-        vertices.for_each_new(
-            program, [&](std::size_t v, const Vertex& vertex) { strq[v] = vertex.texcoord; });
+        if (!as_given) generate_texcoords(program, unit, vertices.used, strq);
+        vertices.for_each_new(program, [&](std::size_t v, const Vertex& vertex) {
+            strq[v] = vertex.texcoord_of(unit);
+        });
     }
     out.are_wide = are_wide(out);
 }

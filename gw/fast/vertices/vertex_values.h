@@ -18,6 +18,7 @@ struct GroupDraws {
     const PartGroup& group;
     const State* state = nullptr;
     const Draw* const* draws = nullptr;  ///< one for each part of the group
+    std::size_t unit = 0;                ///< of texture coordinates
 };
 
 /// The draws of a set's parts, and a state that gives the same values as theirs.
@@ -25,6 +26,7 @@ struct VertexInputs {
     const GeometrySet* set = nullptr;
     const State* state = nullptr;
     std::vector<const Draw*> draws;  ///< one for each part; null: it needs no values
+    std::size_t unit = 0;            ///< of texture coordinates
 
     void begin(const GroupDraws& group);
     void add(const GroupDraws& group);

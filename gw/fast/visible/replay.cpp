@@ -206,7 +206,7 @@ struct Replay {
         colors_of(run, entries(run));
         if (by_pixel)
             for (const VisibleBlock& entry : entries(run)) look_up(run, entry, entry.mask & mask);
-        write(run, textured && !by_pixel ? found(run) : inputs.texel, mask);
+        write(run, textured && !by_pixel ? found(run) : inputs.texels[0], mask);
     }
     /// One primitive after the other: a pixel with a tie is written twice.
     HWY_INLINE void paint_tied(const BlockRun& run, std::uint32_t mask) {
@@ -215,7 +215,7 @@ struct Replay {
             if (own == 0) continue;
             colors_of(run, std::span(&entry, 1));
             if (textured) look_up(run, entry, own);
-            write(run, inputs.texel, own);
+            write(run, inputs.texels[0], own);
         }
     }
     /// The stencil operation of the visible fragments.

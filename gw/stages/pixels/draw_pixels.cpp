@@ -4,6 +4,7 @@
 #include "gw/base/arithmetic.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/tables.h"
+#include "gw/stages/textures/layers.h"
 #include "gw/stages/vertex.h"
 
 #include <algorithm>
@@ -47,27 +48,28 @@ Rgba grey_texel(std::uint32_t v) {
 }
 
 /// The one texel of a rectangle. Its coordinates do not change, so the filter magnifies.
-Rgba raster_texel(const vec4& strq, const Texels& texels, const Resolved& r, int depth_bits) {
+Rgba raster_texel(const vec4& strq, const Texels& texels, const TextureState& s,
+                  const ResolvedTexture& r, int depth_bits) {
+    if (texels.with_r) return texel_in_place(texels, s, r, depth_bits, strq);
     const std::uint32_t one = max_of_bits(texels.bits);
     const double q = strq.w;
     if (q <= 0) return grey_texel(one);
-    const int base = level_range(r.state.texture, int(texels.levels.size())).base;
+    const int base = level_range(s, int(texels.levels.size())).base;
     const TexelLevel& level = texels.levels[std::size_t(base)];
     const int u = texel_position(strq.x / q, level.width),
               v = texel_position(strq.y / q, level.height);
-    const Addressing how = addressing(r.state.texture, texels, r.border_color);
-    if (!r.state.texture.shadow_compare)
-        return lookup(texels, level, is_linear(r.state.texture, true), how, u, v);
-    const auto incoming =
-        to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits));
+    const Addressing how = addressing(s, texels, r.border_color);
+    if (!s.shadow_compare) return lookup(texels, level, is_linear(s, true), how, u, v);
+    const auto incoming = static_cast<std::uint32_t>(
+        to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits)));
     const std::uint32_t stored = nearest_depth(texels, level, how, u >> 8, v >> 8, r.border_depth);
-    return grey_texel(incoming <= stored ? one : 0);
+    return grey_texel(compare(s.compare_func, incoming, stored) ? one : 0);
 }
 
 }  // namespace
 
 PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
-                           const Texels* texels)
+                           const BoundTexels& texels)
     : pixels_(&pixels), state_(&state) {
     const RasterPosition& raster = pixels.raster;
     const Rect& box = state.pixel_box;
@@ -76,9 +78,13 @@ PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, cons
     box_ = {columns.first, rows.first, int(columns.source.size()), int(rows.source.size())};
     columns_ = std::move(columns.source);
     rows_ = std::move(rows.source);
-    if (texels) {
-        texel_ = raster_texel(raster.texcoord, *texels, state, profile.depth_bits);
-        format_ = texels->format;
+    for (std::size_t unit = 0; unit < texels.size(); ++unit) {
+        if (!texels[unit]) continue;
+        const TextureState& s = texture_of(state.state, unit);
+        const vec4& strq = unit == 0 ? raster.texcoord : raster.more_texcoords[unit - 1];
+        texels_.set(unit, texels[unit]->format,
+                    raster_texel(strq, *texels[unit], s, state.texture(unit), profile.depth_bits));
+        look_ups_ += gw::look_ups(s.min_filter, texels[unit]->dimensions);
     }
     const FogState& fog = state.state.fog;
     if (fog.enable)
@@ -87,16 +93,17 @@ PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, cons
             bounded(fog.source == FogSource::Coordinate ? raster.fog_coordinate : raster.distance,
                     largest_coordinate),
             state.bits);
-    is_plain_ = !texel_ && !sums_colors(state.state) && !state.state.fog.enable;
+    is_plain_ = texels_.on == 0 && !sums_colors(state.state) && !state.state.fog.enable;
     raster_color_ = shaded(raster.color);
 }
 
 Rgba PlacedPixels::shaded(const Rgba& color) const {
     const State& s = state_->state;
     Rgba out = color;
-    if (texel_)
-        out =
-            texture_environment(s.texture, format_, out, *texel_, state_->env_color, state_->bits);
+    for (std::size_t unit = 0; texels_.on >> unit != 0; ++unit)
+        if (texels_.has(unit))
+            out = unit_environment(texture_of(s, unit), texels_, unit, color, out,
+                                   state_->texture(unit).env_color, state_->bits);
     if (sums_colors(s)) out = sum_of_colors(out, pixels_->raster.secondary_color, state_->bits);
     return s.fog.enable ? apply_fog(out, fog_factor_, state_->fog_color, state_->bits) : out;
 }

@@ -5,6 +5,7 @@
 
 #include "gw/command_list.h"
 #include "gw/stages/resolve.h"
+#include "gw/stages/tables.h"
 #include "gw/stages/texels.h"
 
 #include <cstdint>
@@ -16,9 +17,8 @@ namespace gw {
 /// A rectangle in its place, zoomed. The command, the state and the texels outlive it.
 class PlacedPixels {
 public:
-    /// `texels` null: texturing is off.
     PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
-                 const Texels* texels);
+                 const BoundTexels& texels);
 
     /// The window's pixels that it covers, inside the pixel box.
     const Rect& box() const { return box_; }
@@ -49,7 +49,8 @@ public:
     /// Whether it writes stencil values in place of fragments.
     bool is_stencil() const { return !pixels_->stencils.empty(); }
     std::uint32_t stencil(std::size_t pixel) const { return pixels_->stencils[pixel]; }
-    bool is_textured() const { return texel_.has_value(); }
+    /// The texels that are looked up for a fragment.
+    int look_ups() const { return look_ups_; }
 
 private:
     bool has_bit(int column, int row) const {
@@ -62,8 +63,8 @@ private:
     const Resolved* state_;
     Rect box_;
     std::vector<int> columns_, rows_;  ///< of the rectangle, for those of the box
-    std::optional<Rgba> texel_;
-    TextureFormat format_ = TextureFormat::RGBA;
+    UnitTexels texels_;
+    int look_ups_ = 0;
     std::uint32_t fog_factor_ = 0;
     bool is_plain_ = false;  ///< neither texture, colour sum nor fog
     Rgba raster_color_{};    ///< after texture and fog

@@ -48,6 +48,13 @@ void spoil(Random& r, PolygonStippleState& s) {
         r.chance(50) ? nullptr : std::make_shared<const std::array<std::uint32_t, 32>>(rows);
 }
 
+void spoil(Random& r, MoreTextures& more) {
+    std::array<TextureState, max_texture_units - 1> units;
+    TextureState& unit = units[std::size_t(r.below(3))];
+    spoil(r, r.pick({&unit.wrap_s, &unit.wrap_r})[0]);
+    more.units = r.chance(50) ? nullptr : std::make_shared<const decltype(units)>(units);
+}
+
 /// Spoils one of the fields.
 template <class... Fields>
 void spoil_one(Random& r, Fields&... fields) {

@@ -127,6 +127,15 @@ const Change changes[] = {
          s.texture.gen = TexGen::PerCoordinate;
          s.texture.coordinates[0] = {CoordinateMode::ObjectLinear, {1, 2, 3, 4}};
      }},
+    {"more_textures",
+     [](State& s) {
+         std::array<TextureState, max_texture_units - 1> units;
+         units[1].gen = TexGen::EyeLinear;
+         s.more_textures.units = std::make_shared<const decltype(units)>(units);
+     },
+     [](Draw& d) {
+         d.more_maps = std::make_shared<const MoreBindings>(MoreBindings{d.map, d.map, d.map});
+     }},
     {"draw: current values", [](State&) {},
      [](Draw& d) { d.current = std::make_shared<const CurrentValues>(CurrentValues{vec4(0.5f)}); }},
     {"draw: no map", [](State&) {}, [](Draw& d) { d.map = {}; }},
@@ -158,8 +167,8 @@ const Change changes[] = {
                                   back_polygon_mode, line_stipple, polygon_stipple, polygon_offset,
                                   jitter, point_size, line_width, point_smooth, line_smooth,
                                   polygon_smooth, shade_model, color_source, lighting, color_sum,
-                                  fog, texture, scissor, alpha, stencil, depth, blend, logic_op,
-                                  color_mask, draw_buffer, read_buffer] = state;
+                                  fog, texture, more_textures, scissor, alpha, stencil, depth,
+                                  blend, logic_op, color_mask, draw_buffer, read_buffer] = state;
 }
 
 struct Scene {
@@ -182,6 +191,7 @@ Scene any_scene(std::uint64_t seed) {
     scene.where.profile.color_planes = 2;
     scene.where.profile.extensions.secondary_color = true;
     scene.where.profile.extensions.fog_coordinate = true;
+    scene.where.profile.extensions.texture_units = true;
     scene.state.color_source = ColorSource::Vertex;
     for (const Command& command : s.out.list.commands)
         if (const auto* draw = std::get_if<Draw>(&command)) scene.draws.push_back(*draw);

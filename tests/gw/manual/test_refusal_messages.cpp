@@ -3,6 +3,7 @@
 #include "gw/error.h"
 #include "gw/machine.h"
 #include "test_paths.h"
+#include "tests/gw/manual_textures/refused_textures.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -165,6 +166,7 @@ std::vector<std::string> refused_draws() {
     current([](CurrentValues& v) { v.texcoord.w = nan; });
     current([](CurrentValues& v) { v.secondary_color.z = nan; });
     current([](CurrentValues& v) { v.fog_coordinate = infinity; });
+    current([](CurrentValues& v) { v.more_texcoords[2].x = nan; });
     add([](Draw& d) { d.id_shift = 32; });
     add([](Draw& d) { d.lights = std::make_shared<const std::vector<Light>>(9); });
     add([](Draw& d) { d.map.slot = 3; });
@@ -253,6 +255,7 @@ std::vector<std::string> refused_draw_pixels() {
         refused_pixels([](D& d) { d.raster.depth = 1u << 24; }),
         refused_pixels([](D& d) { d.raster.color[3] = 256; }),
         refused_pixels([](D& d) { d.raster.texcoord.z = nan; }),
+        refused_pixels([](D& d) { d.raster.more_texcoords[0].y = nan; }),
         refused_pixels([](D& d) { d.raster.distance = -1; }),
         refused_pixels([](D& d) { d.raster.distance = nan; }),
         refused_pixels([](D& d) { d.raster.fog_coordinate = infinity; }),
@@ -290,11 +293,6 @@ std::vector<std::string> refused_draw_pixels() {
 
 std::vector<std::string> refused_values() {
     const std::vector<vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    const auto given = [&](const std::function<void(Texture&)>& change) {
-        Texture t{.name = "t", .levels = {{1, 1, std::vector<std::uint16_t>(4)}}};
-        change(t);
-        return message_of([&] { make_texture(std::move(t)); });
-    };
     const auto mesh = [&](const std::function<void(MeshData&)>& change) {
         MeshData data{.positions = corners};
         change(data);
@@ -337,21 +335,6 @@ std::vector<std::string> refused_values() {
             d.materials.resize(2);
             d.material_indices = {0, 2, 0};
         }),
-        message_of([&] { make_texture("t", 4097, 1, texel); }),
-        message_of([&] { make_texture("t", 2, 1, texel); }),
-        given([](Texture& t) { t.levels.clear(); }),
-        given([](Texture& t) { t.dimensions = 3; }),
-        given([](Texture& t) {
-            t.dimensions = 1;
-            t.levels[0].height = 2;
-        }),
-        given([](Texture& t) { t.format = TextureFormat(6); }),
-        given([](Texture& t) { t.levels[0].width = 3; }),
-        given([](Texture& t) { t.levels[0].height = 8193; }),
-        given([](Texture& t) {
-            t.levels.push_back({2, 1, std::vector<std::uint16_t>(8)});
-        }),
-        given([](Texture& t) { t.levels[0].rgba.edit().resize(8); }),
     };
 }
 
@@ -365,7 +348,7 @@ const std::set<std::string> not_tried{
 TEST(ManualRefusals, EachIsListedAndHappens) {
     std::vector<std::string> happened;
     for (const auto& some : {refused_states(), refused_draws(), refused_pixel_commands(),
-                             refused_draw_pixels(), refused_values()})
+                             refused_draw_pixels(), refused_values(), refused_textures(message_of)})
         happened.insert(happened.end(), some.begin(), some.end());
     const std::vector<std::string> listed = messages_of_the_page();
     EXPECT_GE(listed.size(), 90u);

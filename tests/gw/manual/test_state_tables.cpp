@@ -35,6 +35,7 @@ std::string type_words() {
     if constexpr (std::is_same_v<T, dmat4>) return "matrix of double";
     if constexpr (std::is_same_v<T, Rect>) return "x, y, width, height: int";
     if constexpr (std::is_same_v<T, PolygonStippleState>) return "none, or 32 rows of uint32";
+    if constexpr (std::is_same_v<T, MoreTextures>) return "none, or 3 of the fields of `texture`";
     return "";
 }
 
@@ -66,6 +67,8 @@ std::string value_words(const Rect& r) {
 }
 std::string value_words(const dmat4& m) { return m == dmat4(1) ? "identity" : "?"; }
 std::string value_words(const PolygonStippleState& s) { return s.pattern ? "?" : "none"; }
+
+std::string value_words(const MoreTextures& m) { return m.units ? "?" : "none"; }
 
 /// "clip_planes[0 .. 5].enable" for "clip_planes.0.enable"; "" for other elements.
 std::string name_words(const std::string& path) {
