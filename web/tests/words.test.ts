@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { en } from '../words/en';
 import { ja } from '../words/ja';
 
-const sources = ['components', 'compare', 'lab', 'model', 'player', 'report']
+const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'report']
   .flatMap((folder) =>
     readdirSync(folder, { recursive: true, encoding: 'utf8' })
       .filter((name) => /\.(ts|svelte)$/.test(name))

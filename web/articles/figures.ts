@@ -1,0 +1,51 @@
+// What the figures of the articles show. A run is a log of `gw hidden --steps`, which stands in the
+// page; a model is drawn and computed by the page (models/). Does not import the texts, because the
+// build reads this table too.
+import type { Level } from '../model/steps/log';
+
+export type SecondView = 'top' | 'side' | 'row' | 'depth' | 'tree' | 'list' | 'windows';
+
+export interface RunFigure {
+  readonly scene: string;
+  readonly algorithm: string;
+  readonly size: string;
+  readonly level?: Level;
+  readonly view: SecondView;
+  /** The step at which it opens, as in a text (markup.ts); none: the last one. */
+  readonly at?: string;
+}
+
+export const runs: Readonly<Record<string, RunFigure>> = {
+  ring: {
+    scene: 'ring',
+    algorithm: 'back-face',
+    size: '320x240',
+    view: 'top',
+    at: 'facing/back',
+  },
+  five: { scene: 'five', algorithm: 'z-buffer', size: '160x120', view: 'top' },
+  centroid: {
+    scene: 'centroid_fails',
+    algorithm: 'painter-centroid',
+    size: '160x120',
+    view: 'top',
+    at: 'distance/sorted',
+  },
+  wheel: { scene: 'pinwheel', algorithm: 'painter-farthest', size: '160x120', view: 'list' },
+  culled: { scene: 'five', algorithm: 'back-face', size: '160x120', view: 'top' },
+};
+
+/** Arguments of the command that writes a figure's log into a folder. */
+export function argumentsOf(run: RunFigure, scenes: string, out: string): string[] {
+  const scene = `${scenes}/hidden/${run.scene}.toml`;
+  const level = run.level ?? 'polygon';
+  const how = ['--algorithm', run.algorithm, '--size', run.size, '--level', level];
+  return ['hidden', scene, ...how, '--quiet', '--steps', out];
+}
+
+/** The run in the lab, which stands beside the page of the articles. */
+export function labLink(run: RunFigure): string {
+  const level = run.level ? `&level=${run.level}` : '';
+  const what = `scene=hidden/${run.scene}.toml&algorithm=${run.algorithm}&size=${run.size}`;
+  return `index.html#exhibit=hidden&${what}${level}`;
+}

@@ -1,0 +1,15 @@
+// Starts the page. The logs of its runs stand in it, each in a script of its own, and are unpacked
+// when an article needs them.
+import { mount } from 'svelte';
+import { unpackedPieces } from '../model/packed';
+import { readLog, type Log } from '../model/steps/log';
+import App from './App.svelte';
+
+const logs = new Map<string, Promise<Log>>();
+function logOf(figure: string): Promise<Log> | undefined {
+  const data = document.getElementById(`log-${figure}`)?.textContent;
+  if (data && !logs.has(figure)) logs.set(figure, readLog(unpackedPieces(data)));
+  return logs.get(figure);
+}
+
+mount(App, { target: document.getElementById('app')!, props: { logOf } });

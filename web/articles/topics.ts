@@ -1,0 +1,36 @@
+// The articles in their order, with the models of their figures and their place in the lecture.
+// A topic's texts are text/ID.en.txt and text/ID.ja.txt.
+import type { Language } from '../words/language';
+import { readArticle, type ArticleText } from './markup';
+import { facing } from './models/facing';
+import { keys } from './models/keys';
+import { layers } from './models/layers';
+import type { Model } from './models/model';
+
+export interface Topic {
+  readonly id: string;
+  /** Rows of the lecture's slides (docs/papers.md). */
+  readonly rows: string;
+}
+
+export const topics: readonly Topic[] = [
+  { id: 'visibility', rows: 'L1, L2' },
+  { id: 'back-faces', rows: 'L3, L4' },
+  { id: 'painters', rows: 'L5' },
+];
+
+export const models: Readonly<Record<string, Model>> = { facing, keys, layers };
+
+const files = import.meta.glob<string>('./text/*.txt', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+const read = new Map<string, ArticleText>();
+
+export function articleOf(id: string, language: Language): ArticleText {
+  const path = `./text/${id}.${language}.txt`;
+  const known = read.get(path) ?? readArticle(files[path] ?? '');
+  read.set(path, known);
+  return known;
+}

@@ -1,0 +1,108 @@
+// The articles with the logs of the command: every name in a text exists, and the page does what
+// the text promises.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { build } from 'vite';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { knowsPiece, placeOf, runNumber } from '../../articles/bind';
+import { argumentsOf, runs } from '../../articles/figures';
+import { linesOf, stepNameOf } from '../../articles/markup';
+import { articleOf, topics } from '../../articles/topics';
+import { parseLog } from '../../model/steps/log';
+import { Replay } from '../../model/steps/replay';
+import { describePages } from './browser';
+
+const gw = process.env['GW'] ?? '';
+const scenes = process.env['GW_SCENES'] ?? '';
+const ids = topics.map(({ id }) => id);
+
+describe.skipIf(gw === '')('a run that an article shows', () => {
+  it.each(Object.keys(runs))('%s has every step, piece and number that is named', (name) => {
+    const run = runs[name]!;
+    const folder = mkdtempSync(join(tmpdir(), 'gw-article-'));
+    execFileSync(gw, argumentsOf(run, scenes, folder), { stdio: 'ignore' });
+    const replay = new Replay(parseLog(readFileSync(join(folder, 'steps.jsonl'), 'utf8')));
+    rmSync(folder, { recursive: true });
+    const { steps } = replay.log;
+    if (run.at) expect(placeOf(steps, stepNameOf(run.at)), run.at).toBeGreaterThan(0);
+    for (const part of ids.flatMap((id) => linesOf(articleOf(id, 'en')).flat())) {
+      if (!('figure' in part) || part.figure !== name) continue;
+      const what = JSON.stringify(part);
+      if (part.kind === 'piece') expect(knowsPiece(replay, part.name), what).toBe(true);
+      else if (part.kind === 'step') expect(placeOf(steps, part.step), what).toBeGreaterThan(0);
+      else expect(runNumber(replay, steps.length, part.name, part.step), what).toBeDefined();
+    }
+  });
+});
+
+describe.skipIf(gw === '')('the page', () => {
+  const out = mkdtempSync(join(tmpdir(), 'gw-articles-page-'));
+  beforeAll(async () => {
+    process.env['GW_WEB_OUT'] = out;
+    await build({ configFile: 'vite.articles.config.ts', logLevel: 'error' });
+  }, 300_000);
+
+  describePages('of the articles', (pages) => {
+    const open = (hash: string, width?: number, height?: number) =>
+      pages.openFile(join(out, 'index.html'), `#${hash}`, width, height);
+
+    it.each(ids.flatMap((id) => [`article=${id}&lang=en`, `article=${id}&lang=ja`]))(
+      'shows %s whole, on a telephone too',
+      async (hash) => {
+        await open(hash, 390, 844);
+        await pages.page.waitForSelector('fieldset');
+        expect(await pages.textsOf('output.bound')).not.toContain('–');
+        expect(await pages.page.$$eval('fieldset', (all) => all.length)).toBe(3);
+        expect(await pages.excess()).toBeLessThanOrEqual(0);
+      },
+    );
+
+    it('lights the shape of a word that Tab reaches, and moves the numbers of a dragged eye', async () => {
+      await open('article=back-faces&lang=en');
+      await pages.page.waitForSelector('figure svg');
+      await pages.page.focus('button.piece');
+      expect(await pages.page.$$eval('g.lit', (all) => all.length)).toBeGreaterThan(0);
+      const before = await pages.textsOf('output.bound');
+      await pages.page.focus('circle.eye');
+      for (let i = 0; i < 12; ++i) await pages.page.keyboard.press('ArrowUp');
+      for (let i = 0; i < 12; ++i) await pages.page.keyboard.press('ArrowLeft');
+      expect(await pages.textsOf('output.bound')).not.toEqual(before);
+      const eye = await (await pages.page.$('circle.eye'))!.boundingBox();
+      const at = [eye!.x + eye!.width / 2, eye!.y + eye!.height / 2] as const;
+      await pages.page.mouse.move(...at);
+      await pages.page.mouse.down();
+      await pages.page.mouse.move(at[0] + 120, at[1] + 60, { steps: 4 });
+      await pages.page.mouse.up();
+      const moved = await (await pages.page.$('circle.eye'))!.boundingBox();
+      expect(Math.abs(moved!.x - eye!.x - 120)).toBeLessThan(30);
+      expect(Math.abs(moved!.y - eye!.y - 60)).toBeLessThan(30);
+    });
+
+    it('goes to the step of a word, and lights the word of a polygon under the mouse', async () => {
+      await open('article=visibility&lang=en');
+      await pages.page.waitForSelector('figure canvas');
+      const step = (await pages.page.$('button.step'))!;
+      await step.focus();
+      expect(await pages.page.$eval('button.step', (e) => e.classList.contains('now'))).toBe(true);
+      const canvas = (await pages.page.$('figure canvas'))!;
+      await canvas.scrollIntoView();
+      const box = (await canvas.boundingBox())!;
+      await pages.page.mouse.move(box.x + 0.3 * box.width, box.y + 0.75 * box.height);
+      await pages.page.waitForSelector('button.piece.lit');
+    });
+
+    it('tells at once whether an answer is right, and counts', async () => {
+      await open('article=back-faces&lang=en');
+      await pages.page.waitForSelector('fieldset');
+      await pages.page.type('fieldset input[type=text]', '1');
+      await pages.page.keyboard.press('Enter');
+      expect(await pages.textOf('fieldset .feedback')).toContain('Not yet');
+      await pages.page.$$eval('fieldset', (all) =>
+        all.forEach((e) => e.querySelectorAll<HTMLElement>('input[type=radio]')[1]?.click()),
+      );
+      expect(await pages.textOf('.score')).toBe('2 of 3 solved');
+    });
+  });
+});
