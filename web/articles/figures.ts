@@ -32,6 +32,37 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     at: 'distance/sorted',
   },
   wheel: { scene: 'pinwheel', algorithm: 'painter-farthest', size: '160x120', view: 'list' },
+  tests: {
+    scene: 'centroid_fails',
+    algorithm: 'newell',
+    size: '160x120',
+    view: 'top',
+    at: 'farthest-corner/sorted',
+  },
+  marks: {
+    scene: 'pinwheel',
+    algorithm: 'newell',
+    size: '160x120',
+    view: 'list',
+    at: 'marks/cycle',
+  },
+  tree: { scene: 'cycle', algorithm: 'bsp', size: '160x120', view: 'tree', at: 'eye-side/front' },
+  lines: {
+    scene: 'five',
+    algorithm: 'scan-line',
+    size: '64x48',
+    level: 'span',
+    view: 'row',
+    at: 'span/one-nearest',
+  },
+  zpixels: {
+    scene: 'cycle',
+    algorithm: 'z-buffer',
+    size: '64x48',
+    level: 'pixel',
+    view: 'depth',
+    at: 'z/not-nearer:3',
+  },
   culled: { scene: 'five', algorithm: 'back-face', size: '160x120', view: 'top' },
 };
 

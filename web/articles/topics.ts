@@ -6,6 +6,9 @@ import { facing } from './models/facing';
 import { keys } from './models/keys';
 import { layers } from './models/layers';
 import type { Model } from './models/model';
+import { planeSide } from './models/plane_side';
+import { precision } from './models/precision';
+import { scanEdges } from './models/scan_edges';
 
 export interface Topic {
   readonly id: string;
@@ -17,9 +20,19 @@ export const topics: readonly Topic[] = [
   { id: 'visibility', rows: 'L1, L2' },
   { id: 'back-faces', rows: 'L3, L4' },
   { id: 'painters', rows: 'L5' },
+  { id: 'newell-bsp', rows: 'L5' },
+  { id: 'scan-line', rows: 'L6, L7' },
+  { id: 'z-buffer', rows: 'L8' },
 ];
 
-export const models: Readonly<Record<string, Model>> = { facing, keys, layers };
+export const models: Readonly<Record<string, Model>> = {
+  facing,
+  keys,
+  layers,
+  depth: precision,
+  edges: scanEdges,
+  sides: planeSide,
+};
 
 const files = import.meta.glob<string>('./text/*.txt', {
   query: '?raw',

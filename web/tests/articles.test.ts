@@ -5,7 +5,10 @@ import { linesOf, lineOf, readArticle, type ArticleText, type Part } from '../ar
 import { facing } from '../articles/models/facing';
 import { keys } from '../articles/models/keys';
 import { layers } from '../articles/models/layers';
-import { movedSpot, type Spots } from '../articles/models/model';
+import { movedSpot, type Spot, type Spots } from '../articles/models/model';
+import { planeSide } from '../articles/models/plane_side';
+import { precision } from '../articles/models/precision';
+import { scanEdges } from '../articles/models/scan_edges';
 import { articleOf, models, topics } from '../articles/topics';
 
 const ids = topics.map(({ id }) => id);
@@ -71,23 +74,23 @@ describe.each(ids)('the article %s', (id) => {
   });
 });
 
-describe('the models', () => {
-  /** Every spot moved to a few places. */
-  const places = (name: string): Spots[] => {
-    const model = models[name]!;
-    const [left, bottom, right, top] = model.box;
-    return Object.keys(model.spots).flatMap((spot) =>
-      [0, 0.25, 0.5, 0.75, 1].flatMap((x) =>
-        [0, 0.3, 0.6, 1].map((y) =>
-          movedSpot(model, model.spots, spot, [
-            left + x * (right - left),
-            bottom + y * (top - bottom),
-          ]),
-        ),
+/** Every spot moved to a few places. */
+const places = (name: string): Spots[] => {
+  const model = models[name]!;
+  const [left, bottom, right, top] = model.box;
+  return Object.keys(model.spots).flatMap((spot) =>
+    [0, 0.25, 0.5, 0.75, 1].flatMap((x) =>
+      [0, 0.3, 0.6, 1].map((y) =>
+        movedSpot(model, model.spots, spot, [
+          left + x * (right - left),
+          bottom + y * (top - bottom),
+        ]),
       ),
-    );
-  };
+    ),
+  );
+};
 
+describe('the models', () => {
   it.each(Object.keys(models))('%s has the same finite values wherever its points are', (name) => {
     const model = models[name]!;
     const names = Object.keys(model.look(model.spots).values).sort();
@@ -147,6 +150,89 @@ it('the model of visibility shows on every line of sight one wall or none', () =
     expect(of('seen1') + of('seen2') + of('seen3') + of('empty')).toBe(9);
     expect(of('met') - of('hidden') + of('empty')).toBe(9);
     expect(of('most')).toBeLessThanOrEqual(3);
+  }
+});
+
+/** The parameter of a ray at a wall, by Cramer's rule; none: it passes. */
+function hitOf(eye: Spot, toward: Spot, [a, b]: readonly [Spot, Spot]): number | undefined {
+  const [dx, dy] = [toward[0] - eye[0], toward[1] - eye[1]];
+  const [ex, ey] = [a[0] - b[0], a[1] - b[1]];
+  const area = dx * ey - dy * ex;
+  const [t, s] = [
+    ((a[0] - eye[0]) * ey - (a[1] - eye[1]) * ex) / area,
+    (dx * (a[1] - eye[1]) - dy * (a[0] - eye[0])) / area,
+  ];
+  return t > 0 && s >= 0 && s <= 1 ? t : undefined;
+}
+
+describe('the model of the planes', () => {
+  it('orders two walls as every line of sight does that meets both', () => {
+    let met = 0;
+    for (const spots of places('sides')) {
+      const { values } = planeSide.look(spots);
+      const [eye, p, q, c, d] = ['eye', 'p', 'q', 'c', 'd'].map((name) => spots[name]!) as [
+        Spot,
+        Spot,
+        Spot,
+        Spot,
+        Spot,
+      ];
+      const area = (s: Spot) => (d[0] - c[0]) * (s[1] - c[1]) - (d[1] - c[1]) * (s[0] - c[0]);
+      const length = Math.hypot(d[0] - c[0], d[1] - c[1]);
+      if (length === 0) continue;
+      expect(Math.abs(Number(values['p']))).toBeCloseTo(Math.abs(area(p)) / length, 9);
+      expect(Math.sign(Number(values['p']) * Number(values['eye']))).toBe(
+        Math.sign(area(p) * area(eye)) + 0,
+      );
+      expect(values['pieces']).toBe(area(p) * area(q) < 0 ? 3 : 2);
+      if (values['pieces'] === 3 || area(eye) === 0) continue;
+      for (let i = 0; i < 40; ++i) {
+        const part = (i + 0.5) / 40;
+        const toward: Spot = [p[0] + part * (q[0] - p[0]), p[1] + part * (q[1] - p[1])];
+        const [one, two] = [hitOf(eye, toward, [p, q]), hitOf(eye, toward, [c, d])];
+        if (one === undefined || two === undefined || Math.abs(one - two) < 1e-9) continue;
+        met += 1;
+        expect(values['order']).toBe(one < two ? '2, 1' : '1, 2');
+      }
+    }
+    expect(met).toBeGreaterThan(100);
+  });
+});
+
+it('the model of the scan line has the pixels whose middles are in the triangle', () => {
+  for (const spots of places('edges')) {
+    const { values } = scanEdges.look(spots);
+    const [a, b, c] = ['a', 'b', 'c'].map((name) => spots[name]!) as [Spot, Spot, Spot];
+    const y = spots['line']![1] + 0.5;
+    const side = (p: Spot, q: Spot, x: number) =>
+      (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+    let [strict, loose] = [0, 0];
+    for (let x = 0.5; x < 24; ++x) {
+      const signs = [side(a, b, x), side(b, c, x), side(c, a, x)];
+      if (signs.every((s) => s > 0) || signs.every((s) => s < 0)) strict += 1;
+      if (signs.every((s) => s >= 0) || signs.every((s) => s <= 0)) loose += 1;
+    }
+    expect(values['pixels']).toBeGreaterThanOrEqual(strict);
+    expect(values['pixels']).toBeLessThanOrEqual(loose);
+    expect([0, 2]).toContain(values['edges']);
+  }
+  expect(scanEdges.look(scanEdges.spots).values).toMatchObject({ begin: 6, pixels: 12, edges: 2 });
+});
+
+it('the model of depths stores what the perspective matrix gives', () => {
+  for (const spots of places('depth')) {
+    const { values } = precision.look(spots);
+    const [near, far, z] = ['near', 'far', 'point'].map((name) => spots[name]![0]!) as [
+      number,
+      number,
+      number,
+    ];
+    const stored = (at: number) =>
+      65535 * (((far + near) / (far - near) - (2 * far * near) / ((far - near) * at) + 1) / 2);
+    expect(Math.abs(Number(values['stored']) - stored(z))).toBeLessThanOrEqual(0.5001);
+    expect(stored(Number(values['half']))).toBeCloseTo(65535 / 2, 4);
+    const step = Number(values['step']);
+    expect(stored(z + step / 2) - stored(z - step / 2)).toBeCloseTo(1, 2);
   }
 });
 

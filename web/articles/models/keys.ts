@@ -43,7 +43,12 @@ export const keys: Model = {
     const values: Record<string, number | string> = {};
     for (const name of walls) {
       shapes.push({ id: `wall${name}`, kind: 'line', at: ends[name]!, tone: tones[name] });
-      shapes.push({ kind: 'text', at: [mixed(...ends[name]!, 0.5)], tone: tones[name], text: name });
+      shapes.push({
+        kind: 'text',
+        at: [mixed(...ends[name]!, 0.5)],
+        tone: tones[name],
+        text: name,
+      });
     }
     const nearestAt = (x: number) =>
       walls
@@ -54,8 +59,7 @@ export const keys: Model = {
       const distance = (name: string) => of(ends[name]![0][1], ends[name]![1][1]);
       for (const name of walls) values[`${key}${name}`] = distance(name);
       const order = [...walls].sort((p, q) => distance(q) - distance(p));
-      const last = (x: number) =>
-        order.findLast((name) => depthAt(ends[name]!, x) !== undefined);
+      const last = (x: number) => order.findLast((name) => depthAt(ends[name]!, x) !== undefined);
       const wrong = columns.filter((x) => last(x) !== nearestAt(x));
       values[`order_${key}`] = order.join(', ');
       values[`wrong_${key}`] = wrong.length;
