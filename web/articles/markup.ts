@@ -67,8 +67,10 @@ export function stepNameOf(text: string): StepName {
   return { test: test!, result: result!, pieces: pieces?.split(',') ?? [], nth: Number(nth ?? 1) };
 }
 
-const marks =
-  /\[(?<words>[^\]]+)\]\((?<figure>[\w-]+)(?<how>[#@])(?<what>[^)]+)\)|\{(?<of>[\w-]+)(?:@(?<at>[^{}|]+)\|)?:?(?<name>[\w.-]+)\}|\*(?<strong>[^*]+)\*/gu;
+const bound = /\[(?<words>[^\]]+)\]\((?<figure>[\w-]+)(?<how>[#@])(?<what>[^)]+)\)/;
+const numbered = /\{(?<of>[\w-]+)(?:@(?<at>[^{}|]+)\||:)(?<name>[\w.-]+)\}/;
+const strongly = /\*(?<strong>[^*]+)\*/;
+const marks = new RegExp([bound, numbered, strongly].map(({ source }) => source).join('|'), 'gu');
 
 export function lineOf(text: string): Line {
   const parts: Part[] = [];
@@ -91,7 +93,7 @@ export function lineOf(text: string): Line {
       });
   }
   if (end < text.length) parts.push({ kind: 'text', text: text.slice(end) });
-  const left = parts.find((part) => part.kind === 'text' && /[[\]{}]/.test(part.text));
+  const left = parts.find((part) => 'text' in part && /[[\]{}]/.test(part.text));
   if (left) throw new MarkupError(`a mark that is none in '${text}'`);
   return parts;
 }

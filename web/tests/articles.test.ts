@@ -257,6 +257,7 @@ describe('the markup', () => {
   it.each([
     ['[a bar](run)', 'a mark that is none'],
     ['{run}}', 'a mark that is none'],
+    ['[{run:z}](run#3)', 'a mark that is none'],
     ['[a](run@split)', 'expected test/result'],
   ])('refuses %s', (line, message) => {
     expect(() => lineOf(line)).toThrow(message);
