@@ -42,7 +42,7 @@ describe.skipIf(gw === '')('the page', () => {
   beforeAll(async () => {
     process.env['GW_WEB_OUT'] = out;
     await build({ configFile: 'vite.articles.config.ts', logLevel: 'error' });
-  }, 300_000);
+  }, 900_000);
 
   describePages('of the articles', (pages) => {
     const open = (hash: string, width?: number, height?: number) =>
