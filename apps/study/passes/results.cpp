@@ -14,7 +14,6 @@
 namespace gw::study {
 namespace {
 
-using render::Cost;
 using render::StudyRow;
 
 std::size_t place_of(const std::string& method) {
@@ -31,16 +30,18 @@ std::string processor_name() {
     return "";
 }
 
-std::string place(const StudyRow& row, const Cost& cost) {
+std::string place(const StudyRow& row, const render::Cost& cost) {
     return fmt::format("{},{},{},{}", row.sweep, row.value, row.x, cost.method);
 }
 
 }  // namespace
 
 RowEstimate estimate(const StudyRow& row, const report::PriceList& list) {
-    const auto work = [](const Cost& cost) { return report::PictureWork{cost.passes, cost.rays}; };
+    const auto work = [](const render::Cost& cost) {
+        return report::PictureWork{cost.passes, cost.rays};
+    };
     RowEstimate estimate;
-    for (const Cost& cost : row.costs)
+    for (const render::Cost& cost : row.costs)
         estimate.seconds.push_back(report::seconds_interval(work(cost), list));
     estimate.gain =
         report::ratio_interval(work(row.cost("ray-tracing")), work(row.cost("item-buffer")), list);
@@ -49,7 +50,7 @@ RowEstimate estimate(const StudyRow& row, const report::PriceList& list) {
 
 void PassStudy::add(StudyRow row) {
     if (row.sweep != "samples")  // the others are not compared
-        for (Cost& cost : row.costs) cost.color.clear();
+        for (render::Cost& cost : row.costs) cost.color.clear();
     std::vector<RowEstimate> all;
     for (const report::PriceList& list : lists) all.push_back(estimate(row, list));
     estimates.push_back(std::move(all));
@@ -78,28 +79,33 @@ double PassStudy::measured_gain(std::size_t row) const {
 // NOLINTNEXTLINE(readability-function-size): a table
 const std::vector<CountColumn>& count_columns() {
     static const std::vector<CountColumn> all{
-        {"width", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.size.width); }},
-        {"height", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.size.height); }},
-        {"samples", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.samples); }},
-        {"lights", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.lights); }},
-        {"depth", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.depth); }},
-        {"triangles", [](const StudyRow& r, const Cost&) { return std::uint64_t(r.triangles); }},
-        {"passes", [](const StudyRow&, const Cost& c) { return std::uint64_t(c.passes.size()); }},
-        {"draws", [](const StudyRow&, const Cost& c) { return c.sum().draws; }},
-        {"primitives", [](const StudyRow&, const Cost& c) { return c.sum().primitives; }},
-        {"fragments", [](const StudyRow&, const Cost& c) { return c.sum().fragments; }},
-        {"written", [](const StudyRow&, const Cost& c) { return c.sum().written; }},
-        {"texels", [](const StudyRow&, const Cost& c) { return c.sum().texels; }},
-        {"pixels", [](const StudyRow&, const Cost& c) { return c.sum().pixels; }},
-        {"bytes", [](const StudyRow&, const Cost& c) { return c.sum().bytes; }},
-        {"primary", [](const StudyRow&, const Cost& c) { return c.rays.primary; }},
-        {"reflected", [](const StudyRow&, const Cost& c) { return c.rays.reflected; }},
-        {"transmitted", [](const StudyRow&, const Cost& c) { return c.rays.transmitted; }},
-        {"shadow", [](const StudyRow&, const Cost& c) { return c.rays.shadow; }},
-        {"shaded", [](const StudyRow&, const Cost& c) { return c.rays.shaded; }},
-        {"boxes_tested", [](const StudyRow&, const Cost& c) { return c.rays.tests.boxes; }},
+        {"width",
+         [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.size.width); }},
+        {"height",
+         [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.size.height); }},
+        {"samples",
+         [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.samples); }},
+        {"lights", [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.lights); }},
+        {"depth", [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.depth); }},
+        {"triangles",
+         [](const StudyRow& r, const render::Cost&) { return std::uint64_t(r.triangles); }},
+        {"passes",
+         [](const StudyRow&, const render::Cost& c) { return std::uint64_t(c.passes.size()); }},
+        {"draws", [](const StudyRow&, const render::Cost& c) { return c.sum().draws; }},
+        {"primitives", [](const StudyRow&, const render::Cost& c) { return c.sum().primitives; }},
+        {"fragments", [](const StudyRow&, const render::Cost& c) { return c.sum().fragments; }},
+        {"written", [](const StudyRow&, const render::Cost& c) { return c.sum().written; }},
+        {"texels", [](const StudyRow&, const render::Cost& c) { return c.sum().texels; }},
+        {"pixels", [](const StudyRow&, const render::Cost& c) { return c.sum().pixels; }},
+        {"bytes", [](const StudyRow&, const render::Cost& c) { return c.sum().bytes; }},
+        {"primary", [](const StudyRow&, const render::Cost& c) { return c.rays.primary; }},
+        {"reflected", [](const StudyRow&, const render::Cost& c) { return c.rays.reflected; }},
+        {"transmitted", [](const StudyRow&, const render::Cost& c) { return c.rays.transmitted; }},
+        {"shadow", [](const StudyRow&, const render::Cost& c) { return c.rays.shadow; }},
+        {"shaded", [](const StudyRow&, const render::Cost& c) { return c.rays.shaded; }},
+        {"boxes_tested", [](const StudyRow&, const render::Cost& c) { return c.rays.tests.boxes; }},
         {"triangles_tested",
-         [](const StudyRow&, const Cost& c) { return c.rays.tests.triangles; }}};
+         [](const StudyRow&, const render::Cost& c) { return c.rays.tests.triangles; }}};
     return all;
 }
 
@@ -149,7 +155,7 @@ std::string counts_csv(const PassStudy& study) {
     for (const CountColumn& column : count_columns()) text += "," + column.name;
     text += ",picture\n";
     for (const StudyRow& row : study.rows)
-        for (const Cost& cost : row.costs) {
+        for (const render::Cost& cost : row.costs) {
             text += place(row, cost);
             for (const CountColumn& column : count_columns())
                 text += fmt::format(",{}", column.of(row, cost));
@@ -167,7 +173,7 @@ std::string times_csv(const PassStudy& study) {
     }
     text += "\n";
     for (const StudyRow& row : study.rows)
-        for (const Cost& cost : row.costs)
+        for (const render::Cost& cost : row.costs)
             if (!cost.seconds.empty())
                 text += fmt::format("{},{:.6f},{:.6f},{:.6f},{},{:.6f}{}\n", place(row, cost),
                                     cost.median(), cost.least(), cost.most(), cost.seconds.size(),
@@ -194,7 +200,7 @@ std::string errors_csv(const PassStudy& study) {
     for (const report::PriceList& list : study.lists) text += "," + list.name + "_seconds";
     text += "\n";
     for (const ErrorRow& e : errors(study)) {
-        const Cost& cost = study.rows[e.row].costs[e.method];
+        const render::Cost& cost = study.rows[e.row].costs[e.method];
         text += fmt::format("{},{},{:.6f},{:.6f}", study.rows[e.row].samples, cost.method, e.error,
                             cost.median());
         for (const RowEstimate& list : study.estimates[e.row])
@@ -211,7 +217,7 @@ std::string results_json(const PassStudy& study) {
     for (std::size_t i = 0; i < study.rows.size(); ++i) {
         const StudyRow& row = study.rows[i];
         for (std::size_t m = 0; m < row.costs.size(); ++m) {
-            const Cost& cost = row.costs[m];
+            const render::Cost& cost = row.costs[m];
             Json counts, estimates;
             for (const CountColumn& column : count_columns())
                 counts[column.name] = column.of(row, cost);
