@@ -190,8 +190,9 @@ Json seen_json(const Fragments::Seen& seen) {
             {"after_depth", seen.after.depth}};
 }
 
-Json texture_json(const ref::TextureValues& values, const Texels& texels, const Resolved& state,
+Json texture_json(const ref::Interpolants& pixel, const Texels& texels, const Resolved& state,
                   int x, int y) {
+    const ref::TextureValues& values = pixel.textures[0];
     const TexelLevel& level = texels.levels[0];
     const TextureState& s = state.state.texture;
     const float w = ref::reciprocal(values.q, x, y);
@@ -207,16 +208,16 @@ Json texture_json(const ref::TextureValues& values, const Texels& texels, const 
                 {{"i", wrap_index(s.wrap_s, column, level.width)},
                  {"j", wrap_index(s.wrap_t, row, level.height)},
                  {"color", filter_texel(texels, level, addressing(s, texels, {}), column, row)}});
-    return {{"planes", Json::array({plane_json("Q", values.q, x, y),
-                                    plane_json("U", values.s.plane, x, y),
-                                    plane_json("V", values.t.plane, x, y)})},
+    return {{"planes",
+             Json::array({plane_json("Q", values.q, x, y), plane_json("U", values.s.plane, x, y),
+                          plane_json("V", values.t.plane, x, y)})},
             {"w", shortest(w)},
             {"u", u},
             {"v", v},
             {"weights", Json::array({(u - half) & 255, (v - half) & 255})},
             {"side", pattern_side},
             {"texels", looked_up},
-            {"texel", ref::texel_at(values, texels, state, 0, x, y)}};
+            {"texel", ref::texel_at(pixel, 0, texels, state, 0, x, y)}};
 }
 
 Json blend_json(const BlendState& state, const Rgba& src, const Rgba& dst, int bits) {
@@ -323,7 +324,7 @@ Json LabSession::pixel(const Json& options) {
     answer["color"] = color;
     if (asked.texture) {
         const Texels texels = make_texels(*asked.texture, texel_bits_of(asked.profile));
-        answer["texture"] = texture_json(values.textures[0], texels, state, x, y);
+        answer["texture"] = texture_json(values, texels, state, x, y);
         const Rgba texel = ref::texel_at(values, 0, texels, state, 0, x, y);
         color = texture_environment(state.state.texture, texels.format, color, texel,
                                     state.env_color, bits);
