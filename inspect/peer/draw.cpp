@@ -13,6 +13,20 @@
 namespace gw::peer {
 namespace {
 
+/// The projection of a program's recording: gl/draw/machine_state.cpp moved depths by 2^-22 towards
+/// the middle, and an OpenGL that gets them rounded to floats would do so again.
+dmat4 as_given(dmat4 projection) {
+    constexpr double moved = 1 - 0x1p-22;
+    dmat4 given = projection;
+    for (int column = 0; column < 4; ++column) {
+        const double moved_element = projection[column][2];
+        const auto element = float(moved_element / moved);
+        if (double(element) * moved != moved_element) return projection;
+        given[column][2] = element;
+    }
+    return given;
+}
+
 /// Jitter as a translation of clip coordinates: a whole number of the profile's sub-pixel units.
 dmat4 jittered(const State& s, int subpixel_bits, int width, int height) {
     const bool whole = s.viewport.width == 0 && s.viewport.height == 0;
@@ -20,7 +34,7 @@ dmat4 jittered(const State& s, int subpixel_bits, int width, int height) {
     dmat4 translation{1};
     translation[3][0] = 2 * s.jitter.x / (scale * (whole ? width : s.viewport.width));
     translation[3][1] = 2 * s.jitter.y / (scale * (whole ? height : s.viewport.height));
-    return product(translation, s.projection);
+    return product(translation, as_given(s.projection));
 }
 
 void load(GLenum mode, const dmat4& m) {

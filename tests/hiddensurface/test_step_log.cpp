@@ -90,10 +90,16 @@ scene::Scene wall() {
              {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)})
             data.positions.push_back(vec3(x + half * float(i), y + half * float(j), z));
     };
-    square(0, 0, 1.5f, 1.2f);
+    square(0, 0, 1.5f, 2.4f);
     for (int i = 0; i < 40; ++i)
         square(0.15f * float(i % 8) - 0.5f, 0.15f * float(i / 8) - 0.3f, -1, 0.05f);
     return polygon_scene(std::move(data));
+}
+
+/// Seen from infinitely far: directions decide, not the eye's place.
+scene::Scene parallel(scene::Scene scene) {
+    scene.camera->ortho_height = 6;
+    return scene;
 }
 
 template <class Visit>
@@ -107,6 +113,7 @@ void for_each_log(const Visit& visit) {
                                      pinwheel(),
                                      bent(),
                                      wall(),
+                                     parallel(case_scene("solids")),
                                      random_triangles(5, 12)};
     for (scene::Scene& scene : scenes) {
         const bool hills = scene.name == "hills";

@@ -16,6 +16,15 @@
 namespace gw::inspect {
 namespace {
 
+/// The list without a query that its end leaves open: it may follow itself.
+CommandList with_ended_queries(CommandList list) {
+    const Query* last = nullptr;
+    for (const Command& command : list.commands)
+        if (const auto* query = std::get_if<Query>(&command)) last = query;
+    if (last && last->begin) list.add(Query{.key = last->key, .begin = false});
+    return list;
+}
+
 Recording stream_heading() {
     return {.producer = "test", .scene = "s", .renderer = "r", .profile = opengl()};
 }
@@ -88,6 +97,7 @@ TEST(Streams, GiveTheListsOfEachWindow) {
         std::ostringstream out;
         StreamWriter writer(out,
                             {.producer = "p", .profile = cases[0].profile, .sets = {{"a", "b"}}});
+        cases[0].list = with_ended_queries(std::move(cases[0].list));
         const fuzz::Case& c = cases[0];
         writer.open("x", c.width, c.height);
         writer.open("y", c.width, c.height);
