@@ -1,7 +1,7 @@
 #include "gw/reference/texture_unit.h"
 
-#include "gw/stages/textures/layers.h"
 #include "gw/stages/tables.h"
+#include "gw/stages/textures/layers.h"
 
 #include <algorithm>
 #include <bit>
