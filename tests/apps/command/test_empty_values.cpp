@@ -64,7 +64,10 @@ protected:
         for (const std::string& line : help.options) {
             const std::string option = option_with_value(line);
             if (option.empty()) continue;
-            for (const char* value : {"", " ", "\t "}) {
+            // Blanks are one rule for all options: a command's first stands for the others.
+            std::vector<std::string> values{""};
+            if (tried == 0) values.insert(values.end(), {" ", "\t "});
+            for (const std::string& value : values) {
                 words = command;
                 for (const std::string& other : help.positionals)
                     if (is_required(other)) words.push_back(word_for(first_word(other)));
