@@ -333,7 +333,7 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         if (as_given && !vertices.is_clipped()) continue;
         const VertexProgram& program = programs.of(*draws[i]);
         if (!as_given) generate_texcoords(program, unit, vertices.used, strq);
-        vertices.for_each_new(program, [&](std::size_t v, const Vertex& vertex) {
+        vertices.for_each_new(program, [&, unit = unit](std::size_t v, const Vertex& vertex) {
             strq[v] = vertex.texcoord_of(unit);
         });
     }
