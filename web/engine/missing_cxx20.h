@@ -32,21 +32,26 @@ auto find(Range&& range, const Value& value, Projection projection = {}) {
     return std::find_if(std::begin(range), std::end(range),
                         [&](const auto& e) { return std::invoke(projection, e) == value; });
 }
+/// As a function: a predicate may be a member.
+template <class Predicate>
+auto called(Predicate& predicate) {
+    return [&](const auto& e) -> bool { return std::invoke(predicate, e); };
+}
 template <class Range, class Predicate>
 bool any_of(const Range& range, Predicate predicate) {
-    return std::any_of(std::begin(range), std::end(range), predicate);
+    return std::any_of(std::begin(range), std::end(range), called(predicate));
 }
 template <class Range, class Predicate>
 bool all_of(const Range& range, Predicate predicate) {
-    return std::all_of(std::begin(range), std::end(range), predicate);
+    return std::all_of(std::begin(range), std::end(range), called(predicate));
 }
 template <class Range, class Predicate>
 bool none_of(const Range& range, Predicate predicate) {
-    return std::none_of(std::begin(range), std::end(range), predicate);
+    return std::none_of(std::begin(range), std::end(range), called(predicate));
 }
 template <class Range, class Predicate>
 auto count_if(const Range& range, Predicate predicate) {
-    return std::count_if(std::begin(range), std::end(range), predicate);
+    return std::count_if(std::begin(range), std::end(range), called(predicate));
 }
 template <class Range, class Value>
 void replace(Range& range, const Value& from, const Value& to) {
@@ -54,7 +59,7 @@ void replace(Range& range, const Value& from, const Value& to) {
 }
 template <class Range, class Predicate, class Value>
 void replace_if(Range& range, Predicate predicate, const Value& to) {
-    std::replace_if(std::begin(range), std::end(range), predicate, to);
+    std::replace_if(std::begin(range), std::end(range), called(predicate), to);
 }
 template <class Range>
 void reverse(Range& range) {
@@ -84,7 +89,7 @@ void stable_sort(Range& range, Compare, Projection projection) {
 }
 template <class Range, class Output, class Predicate>
 void copy_if(const Range& range, Output output, Predicate predicate) {
-    std::copy_if(std::begin(range), std::end(range), output, predicate);
+    std::copy_if(std::begin(range), std::end(range), output, called(predicate));
 }
 template <class Range, class Output>
 void move(Range& range, Output output) {
