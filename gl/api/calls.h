@@ -29,6 +29,8 @@ void vertex(Context& context, float x, float y, float z, float w);
 void tex_coord(Context& context, float s, float t, float r, float q);
 void normal(Context& context, float x, float y, float z);
 void color(Context& context, float red, float green, float blue, float alpha);
+void secondary_color(Context& context, float red, float green, float blue);
+void fog_coord(Context& context, float coordinate);
 void index(Context& context, float value);
 
 // 2.8 Vertex arrays
@@ -37,6 +39,9 @@ void vertex_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
 void normal_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer);
 void color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
                    const GLvoid* pointer);
+void secondary_color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
+                             const GLvoid* pointer);
+void fog_coord_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer);
 void index_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer);
 void tex_coord_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
                        const GLvoid* pointer);
@@ -95,6 +100,7 @@ void push_matrix(Context& context);
 void pop_matrix(Context& context);
 void tex_gen(Context& context, GLenum coord, GLenum pname, const Params& params);
 void clip_plane(Context& context, GLenum plane, const Params& equation);
+void clip_control(Context& context, GLenum origin, GLenum depth);
 
 // 2.12 Current raster position
 void raster_pos(Context& context, double x, double y, double z, double w);
@@ -187,6 +193,16 @@ void logic_op(Context& context, GLenum opcode);
 void blend_color(Context& context, GLclampf red, GLclampf green, GLclampf blue, GLclampf alpha);
 void blend_equation(Context& context, GLenum mode);
 void blend_equation_separate(Context& context, GLenum mode_rgb, GLenum mode_alpha);
+
+// [GL15] 4.1.7 Occlusion queries
+void gen_queries(Context& context, GLsizei n, GLuint* ids);
+void delete_queries(Context& context, GLsizei n, const GLuint* ids);
+GLboolean is_query(Context& context, GLuint id);
+void begin_query(Context& context, GLenum target, GLuint id);
+void end_query(Context& context, GLenum target);
+void get_queryiv(Context& context, GLenum target, GLenum pname, GLint* params);
+void get_query_objectiv(Context& context, GLuint id, GLenum pname, GLint* params);
+void get_query_objectuiv(Context& context, GLuint id, GLenum pname, GLuint* params);
 
 // 4.2 Whole framebuffer operations
 void draw_buffer(Context& context, GLenum mode);

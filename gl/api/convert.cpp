@@ -27,6 +27,8 @@ int parameter_count(GLenum pname) {
         case GL_SHININESS:
         case GL_LIGHT_MODEL_LOCAL_VIEWER:
         case GL_LIGHT_MODEL_TWO_SIDE:
+        case GL_LIGHT_MODEL_COLOR_CONTROL:
+        case GL_FOG_COORDINATE_SOURCE:
         case GL_FOG_MODE:
         case GL_FOG_DENSITY:
         case GL_FOG_START:

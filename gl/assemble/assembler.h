@@ -28,7 +28,8 @@ struct Assembler {
 
 /// A vertex of the current values, at (0, 0, 0, 1).
 inline AssembledVertex current_vertex(const CurrentState& now) {
-    return {{0, 0, 0, 1}, now.color, now.texcoord, now.normal, now.edge_flag ? 1u : 0u};
+    return {{0, 0, 0, 1},        now.color,          now.texcoord,           now.normal,
+            now.secondary_color, now.fog_coordinate, now.edge_flag ? 1u : 0u};
 }
 
 }  // namespace gw::gl

@@ -36,7 +36,7 @@ void Assembly::add(std::span<const AssembledVertex> added, std::uint32_t materia
 }
 
 bool Assembly::operator==(const Assembly& other) const {
-    static_assert(sizeof(AssembledVertex) == 16 * sizeof(float));  // no padding
+    static_assert(sizeof(AssembledVertex) == 20 * sizeof(float));  // no padding
     return primitive == other.primitive && vertices.size() == other.vertices.size() &&
            std::memcmp(vertices.data(), other.vertices.data(),
                        vertices.size() * sizeof(AssembledVertex)) == 0 &&

@@ -18,6 +18,8 @@ struct AssembledVertex {
     vec4 color{1, 1, 1, 1};
     vec4 texcoord{0, 0, 0, 1};
     vec3 normal{0, 0, 1};
+    vec3 secondary_color{0, 0, 0};
+    float fog_coordinate = 0;
     std::uint32_t edge_and_material = 1;  ///< bit 0: edge flag; the rest: index of the material
 
     bool edge() const { return (edge_and_material & 1) != 0; }

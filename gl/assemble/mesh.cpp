@@ -41,9 +41,15 @@ void add_values(MeshData& data, const Assembly& a, const std::vector<FaceMateria
     const auto color = [](const AssembledVertex& v) { return v.color; };
     const auto normal = [](const AssembledVertex& v) { return v.normal; };
     const auto texcoord = [](const AssembledVertex& v) { return v.texcoord; };
+    const auto secondary = [](const AssembledVertex& v) { return v.secondary_color; };
+    const auto fog = [](const AssembledVertex& v) { return v.fog_coordinate; };
     if (used.colors && !all_equal(vertices, color)) collect(data.colors, vertices, color);
     if (used.normals && !all_equal(vertices, normal)) collect(data.normals, vertices, normal);
     if (used.texcoords && !all_equal(vertices, texcoord)) add_texcoords(data, vertices);
+    if (used.secondary_colors && !all_equal(vertices, secondary))
+        collect(data.secondary_colors, vertices, secondary);
+    if (used.fog_coordinates && !all_equal(vertices, fog))
+        collect(data.fog_coordinates, vertices, fog);
     if (used.materials && materials.size() > 1) {
         data.materials = materials;
         collect(data.material_indices, vertices, [](const auto& v) { return v.material(); });
@@ -75,7 +81,9 @@ VertexValues used_values(const State& s, bool is_feedback) {
     return {.colors = !lit || s.lighting.color_material,
             .normals = lit || (textured && sphere_map),
             .texcoords = textured && given,
-            .materials = lit};
+            .materials = lit,
+            .secondary_colors = s.fog.color_sum && !lit,
+            .fog_coordinates = s.fog.enable && s.fog.coordinate_source == GL_FOG_COORDINATE};
 }
 
 MeshRef mesh_of(const Assembly& assembly, const std::vector<FaceMaterials>& materials,

@@ -13,6 +13,7 @@ namespace gw::gl {
 /// The values of vertices that a draw uses, or that a mesh has.
 struct VertexValues {
     bool colors = false, normals = false, texcoords = false, materials = false;
+    bool secondary_colors = false, fog_coordinates = false;
     bool operator==(const VertexValues&) const = default;
 };
 

@@ -66,6 +66,12 @@ void fog(Context& context, GLenum pname, const Params& params) {
         case GL_FOG_START: return change(context, s.start, float(params[0]));
         case GL_FOG_END: return change(context, s.end, float(params[0]));
         case GL_FOG_INDEX: return change(context, s.index, float(params[0]));
+        case GL_FOG_COORDINATE_SOURCE: {
+            const GLenum source = params.token();
+            if (source != GL_FRAGMENT_DEPTH && source != GL_FOG_COORDINATE)
+                return set_error(context, GL_INVALID_ENUM);
+            return change(context, s.coordinate_source, source);
+        }
         case GL_FOG_COLOR:
             if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
             return change(context, s.color, params.as_vec4());

@@ -134,6 +134,10 @@ void light_model(Context& context, GLenum pname, const Params& params) {
             return change(context, s.model_ambient, params.as_vec4());
         case GL_LIGHT_MODEL_LOCAL_VIEWER: return change(context, s.local_viewer, params[0] != 0);
         case GL_LIGHT_MODEL_TWO_SIDE: return change(context, s.two_side, params[0] != 0);
+        case GL_LIGHT_MODEL_COLOR_CONTROL:
+            if (params.token() != GL_SINGLE_COLOR && params.token() != GL_SEPARATE_SPECULAR_COLOR)
+                return set_error(context, GL_INVALID_ENUM);
+            return change(context, s.color_control, params.token());
     }
     set_error(context, GL_INVALID_ENUM);
 }

@@ -169,6 +169,14 @@ void clip_plane(Context& context, GLenum plane, const Params& equation) {
            plane_in_eye(context, equation));
 }
 
+void clip_control(Context& context, GLenum origin, GLenum depth) {
+    if ((origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT) ||
+        (depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE))
+        return set_error(context, GL_INVALID_ENUM);
+    change(context, context.state.transform.clip_origin, origin);
+    change(context, context.state.transform.clip_depth_mode, depth);
+}
+
 }  // namespace execute
 
 }  // namespace gw::gl

@@ -4,6 +4,7 @@
 
 #include "gl/assemble/assembler.h"
 #include "gl/assemble/mesh.h"
+#include "gl/context/query_objects.h"
 #include "gl/drawable/call_trace.h"
 #include "gl/drawable/drawable.h"
 #include "gl/state/client.h"
@@ -69,6 +70,7 @@ struct Context {
     OpenList lists;
     BoundTextures textures;
     Selection selection;
+    QueryObjects queries;
     Assembler assembler;
     MeshCache meshes;
     TranslatedState translated;

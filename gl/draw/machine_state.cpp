@@ -36,18 +36,25 @@ bool may_be_rounded(double element) {
 
 /// Depths nearer to the middle: what is drawn on the near or far plane stays inside, although the
 /// matrix is rounded to floats. 2^-22 holds three roundings.
-dmat4 with_room_for_rounding(dmat4 projection) {
+dmat4 with_room_for_rounding(dmat4 projection, bool zero_to_one) {
     bool is_rounded = false;
     for (int column = 0; column < 4; ++column) is_rounded |= may_be_rounded(projection[column][2]);
     const double room = is_rounded ? 0x1p-22 : 0x1p-40;
-    for (int column = 0; column < 4; ++column) projection[column][2] *= 1 - room;
+    for (int column = 0; column < 4; ++column) {
+        projection[column][2] *= 1 - room;
+        if (zero_to_one) projection[column][2] += room / 2 * projection[column][3];
+    }
     return projection;
 }
 
 void set_transform(gw::State& out, const Context& context) {
     const State& s = context.state;
+    if (context.profile.extensions.clip_control)
+        out.clip_control = {word<ClipOrigin>(s.transform.clip_origin),
+                            word<ClipDepth>(s.transform.clip_depth_mode)};
     if (is_finite(context.matrices.projection.top()))
-        out.projection = with_room_for_rounding(context.matrices.projection.top());
+        out.projection = with_room_for_rounding(context.matrices.projection.top(),
+                                                out.clip_control.depth == ClipDepth::ZeroToOne);
     // [GL12] 2.10.3: rescaling may make each normal's length 1.
     out.normalize = s.transform.normalize || s.transform.rescale_normal;
     if (!is_empty(s.viewport))
@@ -57,12 +64,14 @@ void set_transform(gw::State& out, const Context& context) {
         out.clip_planes[i] = {s.transform.clip_enable[i], s.transform.clip_plane[i]};
 }
 
-void set_lighting(gw::State& out, const LightingState& s) {
+void set_lighting(gw::State& out, const LightingState& s, const Extensions& has) {
     out.shade_model = word<gw::ShadeModel>(s.shade_model);
     out.color_source = s.enable ? ColorSource::Lighting : ColorSource::Vertex;
     out.lighting.local_viewer = s.local_viewer;
     out.lighting.two_side = s.two_side;
     out.lighting.model_ambient = s.model_ambient;
+    out.lighting.separate_specular =
+        has.secondary_color && s.color_control == GL_SEPARATE_SPECULAR_COLOR;
     out.lighting.color_material = {s.enable && s.color_material, word<Face>(s.color_material_face),
                                    word<gw::ColorMaterial>(s.color_material_mode)};
 }
@@ -155,7 +164,7 @@ void set_texture(gw::State& out, const Context& context) {
     }
 }
 
-void set_fog(gw::State& out, const FogState& s) {
+void set_fog(gw::State& out, const FogState& s, const Extensions& has) {
     out.fog.enable = s.enable && (s.mode == GL_LINEAR || s.density > 0);  // of density 0: none
     out.fog.mode = word<FogMode>(s.mode);
     out.fog.density = s.density;
@@ -164,6 +173,9 @@ void set_fog(gw::State& out, const FogState& s) {
     if (s.start == s.end)  // the limit of ever shorter ranges
         out.fog.start = std::nextafter(s.end, -std::numeric_limits<float>::infinity());
     out.fog.color = s.color;
+    if (has.fog_coordinate && s.coordinate_source == GL_FOG_COORDINATE)
+        out.fog.source = FogSource::Coordinate;
+    out.color_sum = has.secondary_color && s.color_sum;
 }
 
 gw::BlendAlphaState alpha_blend(const ColorBufferState& b) {
@@ -242,15 +254,21 @@ void set_buffers(gw::State& out, const Context& context) {
 gw::State machine_state(const Context& context) {
     gw::State out;
     set_transform(out, context);
-    set_lighting(out, context.state.lighting);
+    set_lighting(out, context.state.lighting, context.profile.extensions);
     set_sizes(out, context.state, context.profile);
     set_rasterization(out, context.state, context.profile.extensions);
     set_texture_coordinates(out, context);
     set_texture(out, context);
-    set_fog(out, context.state.fog);
+    set_fog(out, context.state.fog, context.profile.extensions);
     set_fragments(out, context.state, context.profile.extensions);
     set_buffers(out, context);
     return out;
+}
+
+double window_depth(double z, const gw::State& state) {
+    const double n = state.depth_range.near_value, f = state.depth_range.far_value;
+    if (state.clip_control.depth == ClipDepth::ZeroToOne) return z * (f - n) + n;
+    return z * ((f - n) / 2) + (f + n) / 2;
 }
 
 LightsRef machine_lights(const LightingState& lighting) {

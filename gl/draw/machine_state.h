@@ -14,6 +14,9 @@ struct Context;
 
 gw::State machine_state(const Context& context);
 
+/// The depth 0 .. 1 of z / w.
+double window_depth(double z, const gw::State& state);
+
 /// Null if no light is enabled.
 LightsRef machine_lights(const LightingState& lighting);
 

@@ -1,6 +1,7 @@
 #include "gl/draw/report.h"
 
 #include "gl/context/context.h"
+#include "gl/draw/machine_state.h"
 #include "gl/draw/submit.h"
 
 #include "gw/stages/clip.h"
@@ -84,12 +85,13 @@ void put(Selection& s, const Reported& v) {
 
 /// The viewport whose guard band is the view volume: its scale, a power of two, is exact. The machine
 /// clips at the guard band only; selection and feedback clip at the volume's sides. [GL11] 2.11
-ViewportTransform sides_of_view_volume() {
+ViewportTransform sides_of_view_volume(const gw::State& state) {
     constexpr double half = (guard_high - guard_low) / 2, center = guard_low + half;
     static_assert(half == 8192);
     ViewportTransform out;
     out.half_width = out.half_height = half;
     out.center_x = out.center_y = center;
+    out.zero_to_one = state.clip_control.depth == ClipDepth::ZeroToOne;
     return out;
 }
 
@@ -114,12 +116,12 @@ private:
 };
 
 Reported Reporter::reported(const Vertex& v, bool front) const {
-    const double w = v.clip.w, n = state.depth_range.near_value, f = state.depth_range.far_value;
+    const double w = v.clip.w;
     const auto& color = front || !state.lighting.two_side ? v.color : v.back_color;
     const double largest = double((1u << context.profile.color_bits) - 1);
     Reported out{(v.clip.x / w) * viewport.half_width + viewport.center_x,
                  (v.clip.y / w) * viewport.half_height + viewport.center_y,
-                 (v.clip.z / w) * ((f - n) / 2) + (f + n) / 2, w};
+                 window_depth(v.clip.z / w, state), w};
     for (int i = 0; i < 4; ++i) {
         out.color[i] = float(color[std::size_t(i)] / largest);
         out.texcoord[i] = float(v.texcoord[i]);
@@ -171,7 +173,8 @@ void Reporter::report_outline(const std::vector<Vertex>& vertices, const Given& 
         if (!given.edges[i]) continue;
         std::vector<Vertex> side{vertices[i]};
         if (is_lines) side.push_back(vertices[(i + 1) % vertices.size()]);
-        const std::vector<Vertex> left = clip(std::move(side), sides_of_view_volume()).vertices;
+        const std::vector<Vertex> left =
+            clip(std::move(side), sides_of_view_volume(state)).vertices;
         if (left.empty()) continue;
         const Reported first = reported(left.front(), front);
         if (!is_lines) {
@@ -193,7 +196,7 @@ void Reporter::report_given(const Given& given) {
             v.back_color = provoking.back_color;
         }
     }
-    const Clipped clipped = clip(vertices, sides_of_view_volume());
+    const Clipped clipped = clip(vertices, sides_of_view_volume(state));
     if (clipped.vertices.empty()) return;
     const bool is_polygon = given.vertices.size() > 2;
     const bool front = !is_polygon || is_front(clipped.vertices);

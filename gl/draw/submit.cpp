@@ -67,7 +67,8 @@ Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
     draw.material = materials.front;
     if (context.state.lighting.two_side)
         draw.back_material = std::make_shared<const gw::Material>(materials.back);
-    draw.current = shared_values({values.color, values.normal, values.texcoord});
+    draw.current = shared_values({values.color, values.normal, values.texcoord,
+                                  values.secondary_color, values.fog_coordinate});
     draw.lights = context.translated.lights;
     draw.map.texture = enabled_texture(context);
     return draw;

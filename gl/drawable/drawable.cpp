@@ -45,6 +45,7 @@ Drawable::Drawable(const Profile& profile, int width, int height, std::string na
 
 Drawable::~Drawable() {
     end_background();
+    counts_.forget_segments();
     if (log) log->close(*this);
 }
 
@@ -58,6 +59,7 @@ void Drawable::resize(int width, int height) {
     height_ = height;
     is_back_old_ = false;
     frame_.drop();
+    counts_.forget_segments();
     if (log) log->open(*this);
 }
 
@@ -71,6 +73,8 @@ void Drawable::add(Command command, std::span<const CallRun> calls) {
     const auto lock = exclusive();
     if (log && frame_.is_new()) log->begin_frame(*this);
     if (is_back_old_) bring_back_up_to_date(command);
+    if (!std::holds_alternative<SetState>(command))
+        if (const auto query = counts_.begin_segment()) frame_.add(*query);
     frame_.add(std::move(command), calls);
     if (frame_.is_full()) flush(Cause::Full);
 }
@@ -105,6 +109,30 @@ void Drawable::hold(std::size_t bytes) {
     frame_.hold(bytes);
 }
 
+void Drawable::begin_count(SampleCountRef count) {
+    const auto lock = exclusive();
+    end_segment();
+    counts_.begin(std::move(count));
+}
+
+void Drawable::end_count(const SampleCountRef& count) {
+    const auto lock = exclusive();
+    end_segment();
+    counts_.end(count);
+}
+
+void Drawable::end_segment() {
+    if (const auto query = counts_.end_segment()) frame_.add(*query);
+}
+
+void Drawable::finish_counts() {
+    const auto lock = exclusive();
+    settle();
+    if (!counts_.are_open()) return;
+    end_segment();
+    flush(Cause::Query);
+}
+
 void Drawable::end_frame() {
     const auto lock = exclusive();
     front_drawn_ = false;
@@ -131,10 +159,12 @@ void Drawable::settle() {
         // After an error, the machine's state is not known.
         executed_.list.commands.clear();
         frame_.drop();
+        counts_.forget_segments();
         throw;
     }
     executed_.list.commands.clear();
     front_changed_ |= std::exchange(is_left_unseen_, false);
+    counts_.add(std::exchange(counted_behind_, {}));
 }
 
 void Drawable::end_background() noexcept {
@@ -170,6 +200,7 @@ void Drawable::start_behind(FrameTarget target) {
     front_changed_ = false;
     background_->start([this, show = std::move(target.show)] {
         machine_->execute(executed_.list);
+        counted_behind_ = query_results(machine_->passes());
         machine_->reset_passes();
         is_left_unseen_ = !show();
     });
@@ -188,6 +219,7 @@ void Drawable::flush(Cause cause) {
         for (const PassReport& pass : machine_->passes()) sum += pass.counters;
         log->executed(*this, {commands.list, commands.calls, cause, sum});
     }
+    counts_.add(query_results(machine_->passes()));
     machine_->reset_passes();
     frame_.reuse(std::move(commands));
 }
@@ -195,6 +227,7 @@ void Drawable::flush(Cause cause) {
 bool Drawable::finish_execution(Cause cause) {
     const auto lock = exclusive();
     const bool ends = front_drawn_ || is_off_screen();
+    if (ends) end_segment();   // recordings begin with frames
     if (!ends && background_)  // nothing that anybody sees: executed when it is swapped
         settle();
     else
@@ -218,6 +251,10 @@ void Drawable::flush_swapped() {
 }
 
 void Drawable::swap() {
+    {
+        const auto lock = exclusive();
+        end_segment();
+    }
     if (has_back_plane()) add(SwapBuffers{});
     is_back_old_ = has_back_plane() && swap_method_ == SwapMethod::Copy;
     if (!swap_behind()) {

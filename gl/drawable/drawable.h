@@ -7,6 +7,7 @@
 #include "gl/drawable/background.h"
 #include "gl/drawable/frame.h"
 #include "gl/drawable/frame_log.h"
+#include "gl/drawable/sample_counts.h"
 #include "gl/drawable/settings.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
@@ -64,6 +65,12 @@ public:
 
     /// Adds to the memory that the frame's commands keep: textures made for it.
     void hold(std::size_t bytes);
+
+    /// From here on, the samples of commands are counted; until here.
+    void begin_count(SampleCountRef count);
+    void end_count(const SampleCountRef& count);
+    /// Executes the commands if counts wait for them, except those that go on.
+    void finish_counts();
 
     /// Executes the commands so far. What follows belongs to the same frame.
     void flush(Cause cause);
@@ -123,6 +130,7 @@ private:
     /// clears it or does not touch it.
     void bring_back_up_to_date(const Command& command);
     void copy_to_back();
+    void end_segment();
     void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
@@ -144,6 +152,8 @@ private:
     std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
     CollectedCommands executed_;              ///< by it
     Frame frame_;
+    SampleCounts counts_;
+    std::vector<QueryResult> counted_behind_;  ///< by background_
     bool front_changed_ = false;
     bool front_drawn_ = false;  ///< in this frame
     SwapMethod swap_method_ = settings().swap;

@@ -20,9 +20,10 @@ enum class Cause : std::uint8_t {
     Copy,     ///< pixels are copied
     Switch,   ///< the thread gets another context
     Texture,  ///< a small part of a large texture that it draws is replaced
+    Query,    ///< the result of a query is read
     Full,     ///< the frame has too many vertices, commands, or bytes of images
 };
-inline constexpr int cause_count = 7;
+inline constexpr int cause_count = 8;
 
 struct Execution {
     const CommandList& list;

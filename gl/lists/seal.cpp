@@ -118,6 +118,15 @@ bool Sealer::take(const Position& p) {
         now_.texcoord = {s, t, r, q};
         return given_.texcoord = true;
     }
+    if (const auto* v = call_of<execute::secondary_color>(p)) {
+        const auto& [r, g, b] = *v;
+        now_.secondary_color = {r, g, b};
+        return given_.secondary_color = true;
+    }
+    if (const auto* v = call_of<execute::fog_coord>(p)) {
+        now_.fog_coordinate = std::get<0>(*v);
+        return given_.fog_coordinate = true;
+    }
     if (const auto* v = call_of<execute::edge_flag>(p)) {
         now_.edge_and_material = std::get<0>(*v) != GL_FALSE ? 1u : 0u;
         return given_.edge_flag = true;

@@ -9,8 +9,9 @@ namespace {
 
 /// The mesh of a part for a draw that uses these values.
 const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
-    const std::size_t bits =
-        (used.colors ? 1u : 0u) | (used.normals ? 2u : 0u) | (used.texcoords ? 4u : 0u);
+    const std::size_t bits = (used.colors ? 1u : 0u) | (used.normals ? 2u : 0u) |
+                             (used.texcoords ? 4u : 0u) | (used.secondary_colors ? 8u : 0u) |
+                             (used.fog_coordinates ? 16u : 0u);
     MeshRef& mesh = part.meshes[bits];
     if (!mesh) mesh = mesh_of(part.assembly, {}, used);
     return mesh;
@@ -23,6 +24,8 @@ AssembledVertex common_values(const Context& context, const SealedRuns& runs,
     if (runs.given.color) out.color = first.color;
     if (runs.given.normal) out.normal = first.normal;
     if (runs.given.texcoord) out.texcoord = first.texcoord;
+    if (runs.given.secondary_color) out.secondary_color = first.secondary_color;
+    if (runs.given.fog_coordinate) out.fog_coordinate = first.fog_coordinate;
     return out;
 }
 
@@ -30,6 +33,8 @@ void set_current(CurrentState& now, const SealedRuns& runs) {
     if (runs.given_after.color) now.color = runs.last.color;
     if (runs.given_after.normal) now.normal = runs.last.normal;
     if (runs.given_after.texcoord) now.texcoord = runs.last.texcoord;
+    if (runs.given_after.secondary_color) now.secondary_color = runs.last.secondary_color;
+    if (runs.given_after.fog_coordinate) now.fog_coordinate = runs.last.fog_coordinate;
     if (runs.given_after.edge_flag) now.edge_flag = runs.last.edge();
 }
 
@@ -56,6 +61,8 @@ bool draw_runs(Context& context, SealedRuns& runs) {
     used.colors &= runs.given.color;
     used.normals &= runs.given.normal;
     used.texcoords &= runs.given.texcoord;
+    used.secondary_colors &= runs.given.secondary_color;
+    used.fog_coordinates &= runs.given.fog_coordinate;
     const FaceMaterials materials = face_materials(context);
     for (SealedRuns::Part& part : runs.parts)
         submit(context,

@@ -15,14 +15,15 @@ namespace gw::gl {
 /// Some of a vertex's values.
 struct GivenValues {
     bool color = false, normal = false, texcoord = false, edge_flag = false;
+    bool secondary_color = false, fog_coordinate = false;
     bool operator==(const GivenValues&) const = default;
 };
 
 struct SealedRuns {
     struct Part {
         Assembly assembly;
-        std::array<MeshRef, 8> meshes;  ///< by the values that they have
-        std::vector<CallRun> calls;     ///< numbers in the list; empty: they are not kept
+        std::array<MeshRef, 32> meshes;  ///< by the values that they have
+        std::vector<CallRun> calls;      ///< numbers in the list; empty: they are not kept
     };
     std::vector<Part> parts;
     GivenValues given;        ///< all vertices have these; the others are the current ones

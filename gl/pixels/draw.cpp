@@ -26,7 +26,10 @@ RasterPosition raster_position(const Context& context) {
             .depth = quantize(raster.position.z, context.profile.depth_bits),
             .color = quantize_color(raster.color, context.profile.color_bits),
             .texcoord = raster.texcoord,
-            .distance = raster.distance};
+            .distance = std::max(raster.distance, 0.0),
+            .secondary_color =
+                quantize_color(vec4(raster.secondary_color, 0), context.profile.color_bits),
+            .fog_coordinate = raster.distance};
 }
 
 /// A rectangle at the raster position, without its pixels.

@@ -364,6 +364,8 @@ void get_pointerv(Context& context, GLenum pname, GLvoid** params) {
         case GL_VERTEX_ARRAY_POINTER: return pointer(Array::Vertex);
         case GL_NORMAL_ARRAY_POINTER: return pointer(Array::Normal);
         case GL_COLOR_ARRAY_POINTER: return pointer(Array::Color);
+        case GL_SECONDARY_COLOR_ARRAY_POINTER: return pointer(Array::SecondaryColor);
+        case GL_FOG_COORDINATE_ARRAY_POINTER: return pointer(Array::FogCoordinate);
         case GL_INDEX_ARRAY_POINTER: return pointer(Array::Index);
         case GL_TEXTURE_COORD_ARRAY_POINTER: return pointer(Array::TexCoord);
         case GL_EDGE_FLAG_ARRAY_POINTER: return pointer(Array::EdgeFlag);

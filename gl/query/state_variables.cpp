@@ -1,4 +1,5 @@
 // Every state variable that the functions Get.. answer, in one table. [GL11] tables 6.5 to 6.22
+#include "gl/query/array_variables.h"
 #include "gl/query/limits.h"
 #include "gl/query/values.h"
 
@@ -17,6 +18,12 @@ using Table = StateVariables;
 
 void add_current(Table& t) {
     t[GL_CURRENT_COLOR] = [](Context& context) { return units(context.state.current.color); };
+    t[GL_CURRENT_SECONDARY_COLOR] = [](Context& context) {
+        return units(vec4(context.state.current.secondary_color, 1));
+    };
+    t[GL_CURRENT_FOG_COORDINATE] = [](Context& context) {
+        return number(context.state.current.fog_coordinate);
+    };
     t[GL_CURRENT_INDEX] = [](Context& context) { return number(context.state.current.index); };
     t[GL_CURRENT_NORMAL] = [](Context& context) { return units(context.state.current.normal); };
     t[GL_CURRENT_TEXTURE_COORDS] = [](Context& context) {
@@ -41,38 +48,6 @@ void add_current(Table& t) {
         return whole(context.state.current.raster.valid);
     };
     t[GL_EDGE_FLAG] = [](Context& context) { return whole(context.state.current.edge_flag); };
-}
-
-template <Array array>
-void add_array(Table& t, GLenum size, GLenum type, GLenum stride, GLenum buffer) {
-    t[buffer] = [](Context& context) { return whole(name_of(context.client.array(array).buffer)); };
-    if (size != 0)
-        t[size] = [](Context& context) { return whole(context.client.array(array).size); };
-    if (type != 0)
-        t[type] = [](Context& context) { return whole(context.client.array(array).type); };
-    t[stride] = [](Context& context) { return whole(context.client.array(array).stride); };
-}
-
-void add_arrays(Table& t) {
-    add_array<Array::Vertex>(t, GL_VERTEX_ARRAY_SIZE, GL_VERTEX_ARRAY_TYPE, GL_VERTEX_ARRAY_STRIDE,
-                             GL_VERTEX_ARRAY_BUFFER_BINDING);
-    add_array<Array::Normal>(t, 0, GL_NORMAL_ARRAY_TYPE, GL_NORMAL_ARRAY_STRIDE,
-                             GL_NORMAL_ARRAY_BUFFER_BINDING);
-    add_array<Array::Color>(t, GL_COLOR_ARRAY_SIZE, GL_COLOR_ARRAY_TYPE, GL_COLOR_ARRAY_STRIDE,
-                            GL_COLOR_ARRAY_BUFFER_BINDING);
-    add_array<Array::Index>(t, 0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE,
-                            GL_INDEX_ARRAY_BUFFER_BINDING);
-    add_array<Array::TexCoord>(t, GL_TEXTURE_COORD_ARRAY_SIZE, GL_TEXTURE_COORD_ARRAY_TYPE,
-                               GL_TEXTURE_COORD_ARRAY_STRIDE,
-                               GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING);
-    add_array<Array::EdgeFlag>(t, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE,
-                               GL_EDGE_FLAG_ARRAY_BUFFER_BINDING);
-    t[GL_ARRAY_BUFFER_BINDING] = [](Context& context) {
-        return whole(name_of(context.client.array_buffer));
-    };
-    t[GL_ELEMENT_ARRAY_BUFFER_BINDING] = [](Context& context) {
-        return whole(name_of(context.client.element_buffer));
-    };
 }
 
 void add_transform(Table& t) {
@@ -104,6 +79,10 @@ void add_transform(Table& t) {
         return whole(context.matrices.texture.entries.size());
     };
     t[GL_MATRIX_MODE] = [](Context& context) { return whole(context.state.transform.matrix_mode); };
+    t[GL_CLIP_ORIGIN] = [](Context& context) { return whole(context.state.transform.clip_origin); };
+    t[GL_CLIP_DEPTH_MODE] = [](Context& context) {
+        return whole(context.state.transform.clip_depth_mode);
+    };
     t[GL_VIEWPORT] = [](Context& context) {
         const ViewportState& v = context.state.viewport;
         return wholes({v.x, v.y, v.width, v.height});
@@ -122,6 +101,9 @@ void add_lighting(Table& t) {
     t[GL_FOG_START] = [](Context& context) { return number(context.state.fog.start); };
     t[GL_FOG_END] = [](Context& context) { return number(context.state.fog.end); };
     t[GL_FOG_MODE] = [](Context& context) { return whole(context.state.fog.mode); };
+    t[GL_FOG_COORDINATE_SOURCE] = [](Context& context) {
+        return whole(context.state.fog.coordinate_source);
+    };
     t[GL_SHADE_MODEL] = [](Context& context) { return whole(context.state.lighting.shade_model); };
     t[GL_COLOR_MATERIAL_PARAMETER] = [](Context& context) {
         return whole(context.state.lighting.color_material_mode);
@@ -134,6 +116,9 @@ void add_lighting(Table& t) {
     };
     t[GL_LIGHT_MODEL_LOCAL_VIEWER] = [](Context& context) {
         return whole(context.state.lighting.local_viewer);
+    };
+    t[GL_LIGHT_MODEL_COLOR_CONTROL] = [](Context& context) {
+        return whole(context.state.lighting.color_control);
     };
     t[GL_LIGHT_MODEL_TWO_SIDE] = [](Context& context) {
         return whole(context.state.lighting.two_side);

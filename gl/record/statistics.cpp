@@ -22,6 +22,7 @@ constexpr const char* cause_names[cause_count] = {"",
                                                   "pixels copied",
                                                   "context switch",
                                                   "texture replaced",
+                                                  "query answered",
                                                   "frame too large"};
 
 std::string row(const std::string& name, const Spread& spread, std::uint64_t frames, int digits) {

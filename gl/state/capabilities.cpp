@@ -25,6 +25,7 @@ std::vector<Capability> make_capabilities() {
         {GL_NORMALIZE, [](State& s, int) -> bool& { return s.transform.normalize; }},
         {GL_RESCALE_NORMAL, [](State& s, int) -> bool& { return s.transform.rescale_normal; }},
         {GL_FOG, [](State& s, int) -> bool& { return s.fog.enable; }},
+        {GL_COLOR_SUM, [](State& s, int) -> bool& { return s.fog.color_sum; }},
         {GL_DEPTH_TEST, [](State& s, int) -> bool& { return s.depth.test; }},
         {GL_STENCIL_TEST, [](State& s, int) -> bool& { return s.stencil.test; }},
         {GL_ALPHA_TEST, [](State& s, int) -> bool& { return s.color_buffer.alpha_test; }},

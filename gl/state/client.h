@@ -20,8 +20,17 @@ struct PixelStore {
 };
 
 /// The arrays, in the order in which ArrayElement sends their values: the vertex last.
-enum class Array : unsigned char { EdgeFlag, TexCoord, Color, Index, Normal, Vertex };
-inline constexpr std::size_t array_count = 6;
+enum class Array : unsigned char {
+    EdgeFlag,
+    TexCoord,
+    Color,
+    SecondaryColor,
+    FogCoordinate,
+    Index,
+    Normal,
+    Vertex
+};
+inline constexpr std::size_t array_count = 8;
 
 /// One vertex array, in the caller's memory or in a buffer.
 struct ClientArray {
@@ -39,8 +48,14 @@ struct ClientArray {
 };
 
 struct ClientState {
-    std::array<ClientArray, array_count> arrays{
-        {{.size = 1, .type = GL_UNSIGNED_BYTE}, {}, {}, {.size = 1}, {.size = 3}, {}}};
+    std::array<ClientArray, array_count> arrays{{{.size = 1, .type = GL_UNSIGNED_BYTE},
+                                                 {},
+                                                 {},
+                                                 {.size = 3},
+                                                 {.size = 1},
+                                                 {.size = 1},
+                                                 {.size = 3},
+                                                 {}}};
     BufferRef array_buffer;    ///< of the arrays that are set next
     BufferRef element_buffer;  ///< of indices
     PixelStore pack, unpack;
@@ -55,6 +70,8 @@ inline ClientArray* find_array(ClientState& client, GLenum name) {
         case GL_EDGE_FLAG_ARRAY: return &client.array(Array::EdgeFlag);
         case GL_TEXTURE_COORD_ARRAY: return &client.array(Array::TexCoord);
         case GL_COLOR_ARRAY: return &client.array(Array::Color);
+        case GL_SECONDARY_COLOR_ARRAY: return &client.array(Array::SecondaryColor);
+        case GL_FOG_COORDINATE_ARRAY: return &client.array(Array::FogCoordinate);
         case GL_INDEX_ARRAY: return &client.array(Array::Index);
         case GL_NORMAL_ARRAY: return &client.array(Array::Normal);
         case GL_VERTEX_ARRAY: return &client.array(Array::Vertex);

@@ -21,14 +21,17 @@ inline constexpr int projection_stack_depth = 10;
 /// GL_CURRENT_BIT. [GL11] table 6.5
 struct CurrentState {
     vec4 color{1, 1, 1, 1};
+    vec3 secondary_color{0, 0, 0};
+    float fog_coordinate = 0;
     float index = 1;
     vec3 normal{0, 0, 1};
     vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
     bool edge_flag = true;
     struct Raster {
         dvec4 position{0, 0, 0, 1};  ///< window coordinates; w is the clip coordinate
-        double distance = 0;         ///< from the eye, for fog
+        double distance = 0;         ///< from the eye, for fog; or the fog coordinate
         vec4 color{1, 1, 1, 1};
+        vec3 secondary_color{0, 0, 0};
         float index = 1;
         vec4 texcoord{0, 0, 0, 1};
         bool valid = true;
@@ -116,6 +119,7 @@ struct LightingState {
     GLenum shade_model = GL_SMOOTH;
     vec4 model_ambient{0.2f, 0.2f, 0.2f, 1};
     bool local_viewer = false, two_side = false;
+    GLenum color_control = GL_SINGLE_COLOR;
     bool color_material = false;
     GLenum color_material_face = GL_FRONT_AND_BACK;
     GLenum color_material_mode = GL_AMBIENT_AND_DIFFUSE;
@@ -130,6 +134,8 @@ struct FogState {
     GLenum mode = GL_EXP;
     float density = 1, start = 0, end = 1, index = 0;
     vec4 color{0, 0, 0, 0};
+    GLenum coordinate_source = GL_FRAGMENT_DEPTH;
+    bool color_sum = false;
 };
 
 /// GL_DEPTH_BUFFER_BIT
@@ -171,6 +177,7 @@ struct TransformState {
     std::array<bool, 6> clip_enable{};
     std::array<dvec4, 6> clip_plane{};  ///< in eye space
     bool normalize = false, rescale_normal = false;
+    GLenum clip_origin = GL_LOWER_LEFT, clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;
 };
 
 /// GL_COLOR_BUFFER_BIT

@@ -75,6 +75,18 @@ void color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
     set_pointer(context, Array::Color, size, type, stride, pointer);
 }
 
+void secondary_color_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
+                             const GLvoid* pointer) {
+    if (size != 3) return set_error(context, GL_INVALID_VALUE);
+    if (array_component_bytes(type) == 0) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::SecondaryColor, size, type, stride, pointer);
+}
+
+void fog_coord_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
+    if (type != GL_FLOAT && type != GL_DOUBLE) return set_error(context, GL_INVALID_ENUM);
+    set_pointer(context, Array::FogCoordinate, 1, type, stride, pointer);
+}
+
 void index_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* pointer) {
     if (!is_coordinate_type(type) && type != GL_UNSIGNED_BYTE)
         return set_error(context, GL_INVALID_ENUM);
@@ -112,8 +124,9 @@ void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const G
             set_pointer(context, which, size, type, step, reinterpret_cast<const GLvoid*>(at));
             at += std::size_t(size) * array_component_bytes(type);
         };
-        context.client.array(Array::EdgeFlag).enable = context.client.array(Array::Index).enable =
-            false;
+        for (const Array off :
+             {Array::EdgeFlag, Array::Index, Array::SecondaryColor, Array::FogCoordinate})
+            context.client.array(off).enable = false;
         take(Array::TexCoord, f.texcoords, GL_FLOAT);
         take(Array::Color, f.colors, f.color_type);
         take(Array::Normal, f.normals, GL_FLOAT);

@@ -57,6 +57,13 @@ void send_values(const ClientState& client, GLint i) {
         const vec4 v = element(client.array(Array::Color), i, true);
         perform<execute::color>(Function::Color4f, v.x, v.y, v.z, v.w);
     }
+    if (is_given(client, Array::SecondaryColor)) {
+        const vec4 v = element(client.array(Array::SecondaryColor), i, true);
+        perform<execute::secondary_color>(Function::SecondaryColor3f, v.x, v.y, v.z);
+    }
+    if (is_given(client, Array::FogCoordinate))
+        perform<execute::fog_coord>(Function::FogCoordf,
+                                    element(client.array(Array::FogCoordinate), i, false).x);
     if (is_given(client, Array::Index))
         perform<execute::index>(Function::Indexf, element(client.array(Array::Index), i, false).x);
     if (is_given(client, Array::Normal)) {
@@ -105,6 +112,10 @@ void set_values(const ClientState& client, std::span<AssembledVertex> out, Index
         [](AssembledVertex& v, const vec4& flag) { v.edge_and_material = flag.x != 0 ? 1u : 0u; });
     set(Array::TexCoord, false, [](AssembledVertex& v, const vec4& s) { v.texcoord = finite(s); });
     set(Array::Color, true, [](AssembledVertex& v, const vec4& c) { v.color = finite(c); });
+    set(Array::SecondaryColor, true,
+        [](AssembledVertex& v, const vec4& c) { v.secondary_color = vec3(finite(c)); });
+    set(Array::FogCoordinate, false,
+        [](AssembledVertex& v, const vec4& f) { v.fog_coordinate = finite(f).x; });
     set(Array::Normal, true, [](AssembledVertex& v, const vec4& n) { v.normal = finite(n); });
     set(Array::Vertex, false, [](AssembledVertex& v, const vec4& p) { v.position = p; });
 }

@@ -76,6 +76,12 @@ void vertex(Context& context, float x, float y, float z, float w) {
 void color(Context& context, float red, float green, float blue, float alpha) {
     context.state.current.color = finite(vec4(red, green, blue, alpha));
 }
+void secondary_color(Context& context, float red, float green, float blue) {
+    context.state.current.secondary_color = vec3(finite(vec4(red, green, blue, 0)));
+}
+void fog_coord(Context& context, float coordinate) {
+    context.state.current.fog_coordinate = finite(vec4(coordinate, 0, 0, 0)).x;
+}
 void tex_coord(Context& context, float s, float t, float r, float q) {
     context.state.current.texcoord = finite(vec4(s, t, r, q));
 }

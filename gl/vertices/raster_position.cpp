@@ -3,6 +3,7 @@
 #include "gl/api/calls.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
+#include "gl/draw/machine_state.h"
 #include "gl/draw/report.h"
 #include "gl/draw/submit.h"
 
@@ -18,15 +19,27 @@ namespace {
 
 /// [GL11] 2.11: inside the view volume, its sides too, which the machine does not clip at. On a side
 /// is inside, although the matrices are rounded.
-bool is_inside(const Vertex& v) {
+bool is_inside(const Vertex& v, bool zero_to_one) {
     const dvec4& p = v.clip;
     const double most = p.w * (1 + 0x1p-40);
-    return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
+    const double least_z = zero_to_one ? -p.w * 0x1p-40 : -most;
+    return std::abs(p.x) <= most && std::abs(p.y) <= most && p.z >= least_z && p.z <= most;
 }
 
 /// The nearest multiple of 2^-12 pixel: a position between two pixels stays there, although the
 /// matrices are rounded. Else a bitmap may be one pixel off.
 double on_grid(double pixels) { return std::floor(pixels * 0x1p12 + 0.5) * 0x1p-12; }
+
+/// The distance of fog. [GL14] 2.13
+double fog_distance(const Context& context, double distance) {
+    return context.state.fog.coordinate_source == GL_FOG_COORDINATE
+               ? double(context.state.current.fog_coordinate)
+               : distance;
+}
+
+vec3 given_secondary_color(const Context& context) {
+    return glm::clamp(context.state.current.secondary_color, 0.0f, 1.0f);
+}
 
 double eye_depth(const Context& context, const dvec4& p) {
     const dvec4 eye = transform(context.matrices.modelview.top(), p);
@@ -53,19 +66,23 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =
         resolve(state, context.profile, max_window_size, max_window_size).viewport;
-    raster.valid = is_inside(vertex) && !clip({vertex}, viewport).vertices.empty();
+    raster.valid =
+        is_inside(vertex, viewport.zero_to_one) && !clip({vertex}, viewport).vertices.empty();
     if (!raster.valid) return;
-    const double n = state.depth_range.near_value, f = state.depth_range.far_value;
     const double cw = vertex.clip.w;
     raster.position = {on_grid((vertex.clip.x / cw) * viewport.half_width + viewport.center_x),
                        on_grid((vertex.clip.y / cw) * viewport.half_height + viewport.center_y),
-                       (vertex.clip.z / cw) * ((f - n) / 2) + (f + n) / 2, cw};
-    raster.distance = finite(std::abs(eye_depth(context, {x, y, z, w})));
+                       window_depth(vertex.clip.z / cw, state), cw};
+    raster.distance = fog_distance(context, finite(std::abs(eye_depth(context, {x, y, z, w}))));
     const auto largest = float((1u << context.profile.color_bits) - 1);
     for (int i = 0; i < 4; ++i) {
         raster.color[i] = float(vertex.color[std::size_t(i)]) / largest;
         raster.texcoord[i] = float(finite(vertex.texcoord[i]));
     }
+    raster.secondary_color = given_secondary_color(context);
+    if (context.state.lighting.enable)
+        for (int i = 0; i < 3; ++i)
+            raster.secondary_color[i] = float(vertex.secondary[std::size_t(i)]) / largest;
     raster.index = context.state.current.index;
     report_depth(context, raster.position.z);
 }
@@ -77,8 +94,9 @@ void window_pos(Context& context, double x, double y, double z) {
     if (!raster.valid) return;
     const double n = context.state.viewport.near_value, f = context.state.viewport.far_value;
     raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), 1};
-    raster.distance = 0;
+    raster.distance = fog_distance(context, 0);
     raster.color = glm::clamp(context.state.current.color, 0.0f, 1.0f);
+    raster.secondary_color = given_secondary_color(context);
     raster.texcoord = context.state.current.texcoord;
     raster.index = context.state.current.index;
     report_depth(context, raster.position.z);

@@ -19,6 +19,9 @@ constexpr Case cases[] = {
     {"glLoadTransposeMatrixfARB", "GL_ARB_transpose_matrix", 1.3},
     {"glBlendFuncSeparate", "GL_EXT_blend_func_separate", 1.4},
     {"glMultiDrawArrays", "GL_EXT_multi_draw_arrays", 1.4},
+    {"glSecondaryColor3f", "GL_EXT_secondary_color", 1.4},
+    {"glFogCoordf", "GL_EXT_fog_coord", 1.4},
+    {"glBeginQuery", "GL_ARB_occlusion_query", 1.5},
     {"glGenBuffers", "GL_ARB_vertex_buffer_object", 1.5},
 };
 

@@ -17,6 +17,8 @@ const std::vector<Initial> initial_state{
     // Table 6.5
     {GL_CURRENT_COLOR, {1, 1, 1, 1}},
     {GL_CURRENT_INDEX, {1}},
+    {GL_CURRENT_SECONDARY_COLOR, {0, 0, 0, 1}},
+    {GL_CURRENT_FOG_COORDINATE, {0}},
     {GL_CURRENT_TEXTURE_COORDS, {0, 0, 0, 1}},
     {GL_CURRENT_NORMAL, {0, 0, 1}},
     {GL_CURRENT_RASTER_POSITION, {0, 0, 0, 1}},
@@ -40,6 +42,11 @@ const std::vector<Initial> initial_state{
     {GL_INDEX_ARRAY_TYPE, {GL_FLOAT}},
     {GL_TEXTURE_COORD_ARRAY, {0}},
     {GL_TEXTURE_COORD_ARRAY_SIZE, {4}},
+    {GL_SECONDARY_COLOR_ARRAY, {0}},
+    {GL_SECONDARY_COLOR_ARRAY_SIZE, {3}},
+    {GL_SECONDARY_COLOR_ARRAY_TYPE, {GL_FLOAT}},
+    {GL_FOG_COORDINATE_ARRAY, {0}},
+    {GL_FOG_COORDINATE_ARRAY_TYPE, {GL_FLOAT}},
     {GL_EDGE_FLAG_ARRAY, {0}},
     {GL_EDGE_FLAG_ARRAY_STRIDE, {0}},
     // Table 6.8; the viewport is the drawable's
@@ -53,6 +60,8 @@ const std::vector<Initial> initial_state{
     {GL_TEXTURE_STACK_DEPTH, {1}},
     {GL_MATRIX_MODE, {GL_MODELVIEW}},
     {GL_NORMALIZE, {0}},
+    {GL_CLIP_ORIGIN, {GL_LOWER_LEFT}},
+    {GL_CLIP_DEPTH_MODE, {GL_NEGATIVE_ONE_TO_ONE}},
     {GL_CLIP_PLANE0, {0}},
     {GL_CLIP_PLANE5, {0}},
     // Table 6.9
@@ -63,6 +72,8 @@ const std::vector<Initial> initial_state{
     {GL_FOG_END, {1}},
     {GL_FOG_MODE, {GL_EXP}},
     {GL_FOG, {0}},
+    {GL_FOG_COORDINATE_SOURCE, {GL_FRAGMENT_DEPTH}},
+    {GL_COLOR_SUM, {0}},
     {GL_SHADE_MODEL, {GL_SMOOTH}},
     // Table 6.10
     {GL_LIGHTING, {0}},
@@ -71,6 +82,7 @@ const std::vector<Initial> initial_state{
     {GL_COLOR_MATERIAL_FACE, {GL_FRONT_AND_BACK}},
     {GL_LIGHT_MODEL_LOCAL_VIEWER, {0}},
     {GL_LIGHT_MODEL_TWO_SIDE, {0}},
+    {GL_LIGHT_MODEL_COLOR_CONTROL, {GL_SINGLE_COLOR}},
     {GL_LIGHT0, {0}},
     {GL_LIGHT7, {0}},
     // Table 6.12
