@@ -238,6 +238,13 @@ function(gw_test folder suffix)
     configure_file(${PROJECT_SOURCE_DIR}/tests/test_paths.h.in
         ${PROJECT_BINARY_DIR}/generated/test_paths.h @ONLY)
     target_include_directories(${name} PRIVATE ${PROJECT_BINARY_DIR}/generated)
+    if(arg_LABEL)  # not built by `all`, but by the target of the label's name
+        if(NOT TARGET ${arg_LABEL})
+            add_custom_target(${arg_LABEL})
+        endif()
+        set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+        add_dependencies(${arg_LABEL} ${name})
+    endif()
     gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60
         PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS "${arg_LABEL}")
 endfunction()

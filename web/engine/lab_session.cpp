@@ -5,6 +5,7 @@
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "multipass/passes/pass_toml.h"
+#include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/request.h"
 #include "web/engine/rgba.h"
@@ -14,8 +15,6 @@
 
 namespace gw::lab {
 namespace {
-
-Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 template <class Visit>
 void for_each_map(scene::Scene& scene, const Visit& visit) {
@@ -182,7 +181,7 @@ std::string LabSession::manifest(const Json& options) {
     return to_json(inspect::manifest_of(recording, machine.passes()));
 }
 
-const Method methods[] = {
+const Method session_methods[] = {
     {"open", &LabSession::open},
     {"draw", &LabSession::draw, {{"picture", &LabSession::picture}}},
     {"manifest", &LabSession::manifest},

@@ -4,6 +4,7 @@
 #include "image/plane_pictures.h"
 #include "raytrace/casting/cast_picture.h"
 #include "render/words/option_words.h"
+#include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/rgba.h"
 
@@ -14,8 +15,6 @@
 
 namespace gw::lab {
 namespace {
-
-Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json json_of(const raytrace::CastCounts& c) {
     return {{"rays", c.rays}, {"shapes", c.shapes}, {"boxes", c.boxes}, {"voxels", c.voxels}};
@@ -122,7 +121,7 @@ Json LabSession::inside(const Json& options) {
     return {{"cells", cells}, {"sides", sides}, {"tests", tests_of(p)}};
 }
 
-const Method methods[] = {
+const Method cast_methods[] = {
     {"cast",
      &LabSession::cast,
      {{"picture", &LabSession::picture}, {"tests", &LabSession::change}}},

@@ -109,7 +109,7 @@ void LabSession::keep_difference(const hs::Result& result, int width) {
         for (auto at = end - width; at != end; ++at) difference_.push_back(std::uint8_t(*at));
 }
 
-const Method methods[] = {
+const Method hidden_methods[] = {
     {"about", &LabSession::about},
     {"hidden", &LabSession::hidden, {{"difference", &LabSession::difference}}},
     {"polygons", &LabSession::polygons},

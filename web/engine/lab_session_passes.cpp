@@ -92,7 +92,7 @@ Json LabSession::history(const Json& options) {
     return inspect::history_rows(inspect::pixel_history(recording, x, recording.height - 1 - y));
 }
 
-const Method methods[] = {
+const Method passes_methods[] = {
     {"passes", &LabSession::passes, {{"picture", &LabSession::picture}}},
     {"plane",
      &LabSession::plane,

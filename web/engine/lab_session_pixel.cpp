@@ -336,7 +336,7 @@ Json LabSession::pixel(const Json& options) {
     return answer;
 }
 
-const Method methods[] = {
+const Method pixel_methods[] = {
     {"pixel", &LabSession::pixel, {{"picture", &LabSession::picture}}},
 };
 

@@ -77,7 +77,7 @@ Json LabSession::hemicube(const Json& options) {
     return Json::object();
 }
 
-const Method methods[] = {
+const Method radiosity_methods[] = {
     {"light", &LabSession::light},
     {"lit", &LabSession::lit, {{"picture", &LabSession::picture}}},
     {"pixmap", &LabSession::pixmap, {{"picture", &LabSession::picture}}},

@@ -5,6 +5,7 @@
 #include "inspect/replay/forwarding_machine.h"
 #include "itembuffer/differences.h"
 #include "multipass/frame/driver.h"
+#include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/outside.h"
 #include "web/engine/rgba.h"
@@ -34,8 +35,6 @@ Json json_of(const dmat4& m) {
         for (int row = 0; row < 4; ++row) values.push_back(m[column][row]);
     return values;
 }
-
-Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 /// Rows from the top.
 template <class Value>
@@ -128,7 +127,7 @@ Json LabSession::outside(const Json& options) {
             {"matrix", json_of(view.clip_from_eye * view.eye_from_world)}};
 }
 
-const Method methods[] = {
+const Method rays_methods[] = {
     {"rays", &LabSession::rays, {{"picture", &LabSession::picture}}},
     {"raytraced", &LabSession::raytraced, {{"picture", &LabSession::picture}}},
     {"identifiers",

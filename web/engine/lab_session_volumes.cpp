@@ -1,6 +1,7 @@
 // Shadow volumes in space: objects of a scene that the machine draws from another eye.
 #include "gw/error.h"
 #include "multipass/shadow/shadows.h"
+#include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/outside.h"
 
@@ -50,8 +51,6 @@ int add_volumes(scene::Scene& shown, const scene::Scene& scene, std::size_t mate
     return count;
 }
 
-Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
-
 }  // namespace
 
 Json LabSession::volumes(const Json& options) {
@@ -94,7 +93,7 @@ Json LabSession::volumes(const Json& options) {
             {"up", json_of(seen_by.up)}};
 }
 
-const Method methods[] = {
+const Method volumes_methods[] = {
     {"volumes", &LabSession::volumes, {{"picture", &LabSession::picture}}},
 };
 

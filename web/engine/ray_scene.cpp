@@ -4,6 +4,7 @@
 #include "gw/stages/vertex.h"
 #include "itembuffer/traced_component.h"
 #include "scene/draw/item_buffer.h"
+#include "web/engine/json_point.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,8 +20,6 @@ double now_ms() {
     using namespace std::chrono;
     return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
 }
-
-Json json_of(const dvec3& p) { return Json::array({p.x, p.y, p.z}); }
 
 Json json_of(const raytrace::RayCounts& c) {
     return {{"primary", c.primary},
