@@ -58,6 +58,7 @@ Command add_hidden(CLI::App& app);
 Command add_play(CLI::App& app);
 Command add_quiz(CLI::App& app);
 Command add_grade(CLI::App& app);
+Command add_autograde(CLI::App& app);
 Command add_fragments(CLI::App& app);
 Command add_styles(CLI::App& app);
 Command add_cast(CLI::App& app);

@@ -8,6 +8,8 @@
 #include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/pictures.h"
+#include "hiddensurface/run/blame.h"
+#include "hiddensurface/run/step_json.h"
 #include "image/write.h"
 #include "scene/text/text_file.h"
 
@@ -15,7 +17,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <functional>
 #include <memory>
+#include <span>
 
 namespace gw::apps {
 
@@ -31,30 +36,54 @@ struct PlayOptions {
     Form form = Form::Text;
 };
 
-using Grades = std::vector<hs::PolygonGrade>;
+/// A played answer beside the Z-buffer.
+struct Graded {
+    Compared run;
+    std::vector<hs::PolygonGrade> polygons;
+    std::vector<hs::Blame> blame;
+    hs::PictureGrid grid;
+};
 
-std::string play_text(const Compared& run, const Grades& grades) {
-    constexpr std::size_t most = 20;
+constexpr std::size_t most_lines = 20;  // lines of a kind
+
+/// The polygons with wrong pixels; "" if none has any.
+std::string polygons_text(const std::vector<hs::PolygonGrade>& polygons) {
     std::vector<std::vector<std::string>> rows{
         {"polygon", "expected", "shown", "missing", "extra"}};
     std::size_t more = 0;
-    for (const hs::PolygonGrade& g : grades) {
+    for (const hs::PolygonGrade& g : polygons) {
         if (g.missing + g.extra == 0) continue;
-        if (rows.size() > most)
+        if (rows.size() > most_lines)
             more += 1;
         else
             rows.push_back({g.id == 0 ? "none" : std::to_string(g.id), std::to_string(g.expected),
                             std::to_string(g.shown), std::to_string(g.missing),
                             std::to_string(g.extra)});
     }
-    std::string text = counts_text({run});
-    if (rows.size() > 1) text += "\n" + table(rows);
-    if (more > 0) text += fmt::format("and {} more\n", more);
-    return text +
-           fmt::format("\n{} of {} pixels wrong\n", run.result.counts.wrong, run.result.ids.size());
+    if (rows.size() == 1) return "";
+    return "\n" + table(rows) + (more > 0 ? fmt::format("and {} more\n", more) : "");
 }
 
-std::string play_json(const Compared& run, const Grades& grades) {
+/// Those with most_lines wrong pixels first.
+std::string blame_text(std::vector<hs::Blame> blame, int height) {
+    std::ranges::stable_sort(blame, std::ranges::greater(), &hs::Blame::pixels);
+    std::string text = blame.empty() ? "" : "\n";
+    for (const hs::Blame& b : std::span(blame).first(std::min(most_lines, blame.size())))
+        text += hs::sentence_of(b, height) + "\n";
+    return text + (blame.size() > most_lines
+                       ? fmt::format("and {} more\n", blame.size() - most_lines)
+                       : "");
+}
+
+std::string play_text(const Graded& graded) {
+    const hs::Result& result = graded.run.result;
+    return counts_text({graded.run}) + polygons_text(graded.polygons) +
+           blame_text(graded.blame, graded.grid.height) +
+           fmt::format("\n{} of {} pixels wrong\n", result.counts.wrong, result.ids.size());
+}
+
+std::string play_json(const Graded& graded) {
+    const auto& [run, polygons, blame, grid] = graded;
     Json json = Json::object();
     json["wrong"] = run.result.counts.wrong;
     json["pixels"] = run.result.ids.size();
@@ -62,12 +91,17 @@ std::string play_json(const Compared& run, const Grades& grades) {
     for (const auto& [name, count] : hs::count_names())
         json["counts"][name] = run.result.counts.*count;
     json["polygons"] = Json::array();
-    for (const hs::PolygonGrade& g : grades)
+    for (const hs::PolygonGrade& g : polygons)
         json["polygons"].push_back({{"id", g.id},
                                     {"expected", g.expected},
                                     {"shown", g.shown},
                                     {"missing", g.missing},
                                     {"extra", g.extra}});
+    json["blame"] = Json::array();
+    for (const hs::Blame& b : blame)
+        json["blame"].push_back({{"step", b.step},
+                                 {"pixels", b.pixels},
+                                 {"sentence", hs::sentence_of(b, grid.height)}});
     return json.dump(2) + "\n";
 }
 
@@ -83,17 +117,19 @@ int play_answer(const PlayOptions& options, const hs::Input& input, const Profil
     const hs::Algorithm algorithm = hs::played(std::move(play));
     hs::Result result = hs::run_on(*machine, algorithm, input, log);
     hs::compare(result, expected, input);
-    const Compared run{&algorithm, std::move(result), std::move(log)};
+    Graded graded{{&algorithm, std::move(result), std::move(log)}, {}, {}, hs::grid_of(input)};
+    const Compared& run = graded.run;
+    graded.polygons = hs::grades_of(run.result, expected);
+    graded.blame = hs::blame_of(run.log.steps(), run.result, input.view.width);
     progress.at("writing");
     if (!options.steps.empty()) {
         put_player(output, options.steps, {put_steps(output, options.steps, input, run)});
         put_index(output, options.steps, session);
     }
     output.commit();
-    const Grades grades = hs::grades_of(run.result, expected);
-    print(options.form == Form::Json  ? play_json(run, grades)
+    print(options.form == Form::Json  ? play_json(graded)
           : options.form == Form::Csv ? counts_csv({run})
-                                      : play_text(run, grades));
+                                      : play_text(graded));
     return run.result.counts.wrong == 0 ? Done : Differs;
 }
 

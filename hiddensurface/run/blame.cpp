@@ -1,5 +1,7 @@
 #include "hiddensurface/run/blame.h"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <tuple>
 
@@ -23,7 +25,18 @@ std::vector<LastPaint> last_paints(const std::vector<Step>& steps, std::size_t p
     return last;
 }
 
+std::string name_of(std::uint32_t id) { return id == 0 ? "the background" : std::to_string(id); }
+
 }  // namespace
+
+std::string sentence_of(const Blame& blame, int height) {
+    const std::string where =
+        fmt::format("at {} {}, first at ({}, {}).", blame.pixels,
+                    blame.pixels == 1 ? "pixel" : "pixels", blame.x, height - 1 - blame.y);
+    if (blame.step == 0) return "No step painted " + name_of(blame.expected) + " " + where;
+    return fmt::format("Step {} painted {} over {} {} Expected: {}.", blame.step, blame.id,
+                       name_of(blame.over), where, name_of(blame.expected));
+}
 
 std::vector<Blame> blame_of(const std::vector<Step>& steps, const Result& result, int width) {
     if (result.counts.wrong == 0 || result.difference.empty()) return {};

@@ -3,6 +3,7 @@
 
 #include "hiddensurface/run/compare.h"
 
+#include <string>
 #include <vector>
 
 namespace gw::hiddensurface {
@@ -17,6 +18,10 @@ struct Blame {
     int x = 0, y = 0;  ///< the first of them: of the uppermost row the leftmost; rows upwards
     bool operator==(const Blame&) const = default;
 };
+
+/// "Step 5 painted 3 over 1 at 3600 pixels, first at (260, 90). Expected: 1." The pixel is counted from
+/// the picture's upper left corner. `height`: the picture's.
+std::string sentence_of(const Blame& blame, int height);
 
 /// By steps. Every wrong pixel of a compared result is in one of them.
 std::vector<Blame> blame_of(const std::vector<Step>& steps, const Result& result, int width);
