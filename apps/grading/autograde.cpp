@@ -209,6 +209,16 @@ public:
             json[graded.name] = nlohmann::ordered_json::parse(results_json(graded));
         return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
+    /// Of one submission: what its student reads.
+    std::string text() const {
+        if (!options_.single) return table(rows());
+        std::string text;
+        for (const GradedScene& scene : all_[0].scenes)
+            text += fmt::format("{}: {}, {} of {}\n{}", scene.scene, scene.outcome, scene.points,
+                                scene.of, scene.feedback) +
+                    (scene.feedback.ends_with('\n') ? "\n" : "\n\n");
+        return without_controls(text);
+    }
     bool is_all_right() const {
         return std::ranges::all_of(
             all_, [](const GradedSubmission& graded) { return graded.points() == graded.of(); });
@@ -254,7 +264,7 @@ int autograde(const AutogradeOptions& options, Session& session) {
     }
     print(options.form == Form::Json  ? all.json()
           : options.form == Form::Csv ? grades_csv(all.rows())
-                                      : table(all.rows()));
+                                      : all.text());
     return all.is_all_right() ? Done : Differs;
 }
 

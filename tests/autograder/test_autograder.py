@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""gw autograde: a submission costs its own student's mark only, whatever it does. The files of marks are
-read by other readers than ours.
+"""gw autograde: a submission costs its own student's mark only, whatever it does. The files of
+marks are read by other readers than ours.
 Usage: test_autograder.py GW SOURCE_DIR WORK_DIR
 """
 import csv
@@ -258,6 +258,7 @@ class Class(unittest.TestCase):
         ran = autograde(work / "class/with_run", "--single", "-o", work / "single")
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertEqual(json.loads((work / "single/results.json").read_text())["score"], 10)
+        self.assertEqual(ran.stdout, "centroid_fails: right, 10 of 10\nEvery pixel is right.\n\n")
 
     def test_limits_alone_need_root_and_bind_too(self):
         folder = work / "limited"
