@@ -1,7 +1,7 @@
-// Pictures that gw wrote, and a texture that it reads, through OpenImageIO itself.
+// Pictures that gw wrote, and a texture that it reads, through OpenImageIO itself (tests/judge).
 #pragma once
 
-#include <OpenImageIO/imageio.h>
+#include "tests/judge/judge.h"
 
 #include <gtest/gtest.h>
 
@@ -24,26 +24,14 @@ struct Pixels {
 };
 
 inline Pixels read_pixels(const std::filesystem::path& file) {
-    Pixels pixels;
-    auto input = OIIO::ImageInput::open(file.string());
-    EXPECT_TRUE(input) << OIIO::geterror();
-    if (!input) return pixels;
-    const OIIO::ImageSpec& spec = input->spec();
-    pixels = {spec.width, spec.height, spec.nchannels, {}};
-    pixels.values.resize(std::size_t(spec.width) * std::size_t(spec.height) *
-                         std::size_t(spec.nchannels));
-    EXPECT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeFloat, pixels.values.data()));
-    return pixels;
+    const auto [spec, values] = judge::stored_in<float>(file);
+    return {spec.width, spec.height, spec.channels, values};
 }
 
 /// A texture of one texel. PNG needs no OpenImageIO, whose libraries take half a second to load.
 inline void write_pixel(const std::filesystem::path& file,
                         const std::array<unsigned char, 3>& color) {
-    auto output = OIIO::ImageOutput::create(file.string());
-    ASSERT_TRUE(output) << OIIO::geterror();
-    ASSERT_TRUE(output->open(file.string(), {1, 1, 3, OIIO::TypeUInt8})) << output->geterror();
-    ASSERT_TRUE(output->write_image(OIIO::TypeUInt8, color.data())) << output->geterror();
-    ASSERT_TRUE(output->close()) << output->geterror();
+    ASSERT_TRUE(judge::store(file, {1, 1, 3}, std::vector(color.begin(), color.end())));
 }
 
 }  // namespace gw::apps

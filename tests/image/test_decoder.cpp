@@ -5,6 +5,7 @@
 
 #include "tests/image/files.h"
 #include "tests/image/refusal.h"
+#include "tests/judge/judge.h"
 
 #include <sys/resource.h>
 
@@ -13,13 +14,9 @@ namespace {
 
 /// A picture of 20 x 12 pixels in the format of the extension; false if there is none.
 bool write_sample(const std::filesystem::path& file) {
-    const auto output = OIIO::ImageOutput::create(file.string());
-    if (!output) return false;
-    const OIIO::ImageSpec spec(20, 12, 3, OIIO::TypeDesc::UINT8);
     std::vector<std::uint8_t> values(20 * 12 * 3);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint8_t(i * i / 7);
-    return output->open(file.string(), spec) &&
-           output->write_image(OIIO::TypeDesc::UINT8, values.data()) && output->close();
+    return judge::store(file, {20, 12, 3}, values);
 }
 
 /// Some bytes replaced, most of them in the header; the seed chooses.

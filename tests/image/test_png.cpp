@@ -5,6 +5,7 @@
 
 #include "tests/image/files.h"
 #include "tests/image/refusal.h"
+#include "tests/judge/judge.h"
 
 #include <png.h>
 
@@ -67,13 +68,8 @@ void write_kind(const std::filesystem::path& file, const Kind& kind) {
 
 /// As OpenImageIO reads them, R, G, B, A, bottom row first.
 std::vector<std::uint16_t> judged(const std::filesystem::path& file) {
-    OIIO::ImageSpec hints;
-    hints.attribute("oiio:UnassociatedAlpha", 1);
-    auto input = OIIO::ImageInput::open(file.string(), &hints);
-    const auto channels = std::size_t(input->spec().nchannels);
-    std::vector<std::uint16_t> values(width * height * channels);
-    EXPECT_TRUE(
-        input->read_image(0, 0, 0, input->spec().nchannels, OIIO::TypeUInt16, values.data()));
+    const auto [spec, values] = judge::stored_in<std::uint16_t>(file);
+    const auto channels = std::size_t(spec.channels);
     std::vector<std::uint16_t> rgba;
     for (int y = height - 1; y >= 0; --y) {
         for (int x = 0; x < width; ++x) {

@@ -5,6 +5,7 @@
 
 #include "tests/image/files.h"
 #include "tests/image/refusal.h"
+#include "tests/judge/judge.h"
 
 #include <cstring>
 #include <limits>
@@ -14,14 +15,8 @@ namespace {
 
 template <class T>
 void write_raw(const std::filesystem::path& file, int width, int height, int channels,
-               const std::vector<T>& values,
-               OIIO::TypeDesc stored = OIIO::BaseTypeFromC<T>::value) {
-    auto output = OIIO::ImageOutput::create(file.string());
-    OIIO::ImageSpec spec(width, height, channels, stored);
-    spec.attribute("oiio:UnassociatedAlpha", 1);
-    ASSERT_TRUE(output->open(file.string(), spec)) << output->geterror();
-    ASSERT_TRUE(output->write_image(OIIO::BaseTypeFromC<T>::value, values.data()));
-    ASSERT_TRUE(output->close());
+               const std::vector<T>& values, judge::Sample stored = judge::sample_of<T>) {
+    ASSERT_TRUE(judge::store(file, {width, height, channels, stored}, values));
 }
 
 using Texels = std::vector<std::uint16_t>;

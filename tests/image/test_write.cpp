@@ -4,6 +4,7 @@
 #include "image/write.h"
 
 #include "tests/image/files.h"
+#include "tests/judge/judge.h"
 
 namespace gw::image {
 namespace {
@@ -41,9 +42,9 @@ TEST_P(LosslessFormat, HoldsEightBitsAsTheyAre) {
     const Folder folder;
     const auto file = folder / (std::string("picture.") + GetParam());
     write_picture(file, sample_picture(8));
-    const auto found = stored_in<std::uint8_t>(file);
-    EXPECT_EQ(found.spec.format, OIIO::TypeDesc::UINT8);
-    EXPECT_EQ(found.spec.nchannels, 3);
+    const auto found = judge::stored_in<std::uint8_t>(file);
+    EXPECT_EQ(found.spec.format, judge::Sample::U8);
+    EXPECT_EQ(found.spec.channels, 3);
     EXPECT_EQ(found.values, top_row_first<std::uint8_t>(sample_picture(8)));
     EXPECT_EQ(folder.names().size(), 1u);
 }
@@ -58,8 +59,8 @@ TEST_P(DeepFormat, HoldsMoreBitsInSixteenAndGivesThemBack) {
     const Folder folder;
     const auto file = folder / (std::string("picture.") + extension);
     write_picture(file, sample_picture(bits));
-    auto found = stored_in<std::uint16_t>(file);
-    EXPECT_EQ(found.spec.format, OIIO::TypeDesc::UINT16);
+    auto found = judge::stored_in<std::uint16_t>(file);
+    EXPECT_EQ(found.spec.format, judge::Sample::U16);
     for (std::uint16_t& v : found.values) v = static_cast<std::uint16_t>(rescale(v, 16, bits));
     EXPECT_EQ(found.values, top_row_first<std::uint16_t>(sample_picture(bits)));
 }
@@ -69,7 +70,7 @@ TEST(WritePicture, ScalesTwelveBitsToTheWholeRange) {
     const Picture picture{
         .width = 3, .height = 1, .channels = 1, .bits = 12, .values = {0, 1, 4095}};
     write_picture(folder / "a.png", picture);
-    EXPECT_EQ(stored_in<std::uint16_t>(folder / "a.png").values,
+    EXPECT_EQ(judge::stored_in<std::uint16_t>(folder / "a.png").values,
               (std::vector<std::uint16_t>{0, 16, 65535}));
 }
 
@@ -79,9 +80,9 @@ TEST(WritePicture, RoundsToEightBitsWhereTheFormatHasNoMore) {
     const Picture picture{
         .width = 4, .height = 1, .channels = 1, .bits = 16, .values = {0, 128, 129, 65535}};
     write_picture(folder / "a.bmp", picture);
-    const auto found = stored_in<std::uint8_t>(folder / "a.bmp");
+    const auto found = judge::stored_in<std::uint8_t>(folder / "a.bmp");
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_EQ(found.values[i * std::size_t(found.spec.nchannels)],
+        EXPECT_EQ(found.values[i * std::size_t(found.spec.channels)],
                   (std::vector<int>{0, 0, 1, 255})[i]);
     }
 }
@@ -93,8 +94,8 @@ TEST_P(ExrBits, HoldFractionsThatGiveEveryValueBack) {
     const int bits = GetParam();
     const Folder folder;
     write_picture(folder / "picture.exr", sample_picture(bits));
-    const auto found = stored_in<float>(folder / "picture.exr");
-    EXPECT_EQ(found.spec.format, bits == 8 ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
+    const auto found = judge::stored_in<float>(folder / "picture.exr");
+    EXPECT_EQ(found.spec.format, bits == 8 ? judge::Sample::Half : judge::Sample::Float);
     const auto max = static_cast<float>((1 << bits) - 1);
     std::vector<std::uint16_t> values;
     for (float v : found.values) values.push_back(static_cast<std::uint16_t>(std::lround(v * max)));
@@ -112,7 +113,7 @@ TEST_P(UsualFormat, IsReadableWithItsSizeForEveryNumberOfBits) {
         const Folder folder;
         const auto file = folder / (std::string("picture.") + GetParam());
         write_picture(file, sample_picture(bits));
-        const auto found = stored_in<float>(file);
+        const auto found = judge::stored_in<float>(file);
         EXPECT_EQ(found.spec.width, 64);
         EXPECT_EQ(found.spec.height, 64);
         EXPECT_EQ(folder.names(), std::vector<std::string>{file.filename().string()});
@@ -167,8 +168,8 @@ TEST(PutValues, HoldsAllThirtyTwoBits) {
     OutputFile file(folder / "depth.exr");
     put_values(file, {.width = 3, .height = 2, .channels = {"Z"}, .values = depth});
     file.commit();
-    const auto found = stored_in<std::uint32_t>(folder / "depth.exr");
-    EXPECT_EQ(found.spec.format, OIIO::TypeDesc::UINT32);
+    const auto found = judge::stored_in<std::uint32_t>(folder / "depth.exr");
+    EXPECT_EQ(found.spec.format, judge::Sample::U32);
     EXPECT_EQ(found.values,
               (std::vector<std::uint32_t>{0xffffffff, 1u << 24, (1u << 24) + 1, 0, 1, 0xfffffffe}));
 }
@@ -179,7 +180,7 @@ TEST(PutValues, HoldsSignedSumsAsFloats) {
     const std::vector<float> accum{-32768, 32767, 0, 255, 1, 2, 3, 4};
     put_values(file, {.width = 2, .height = 1, .channels = {"R", "G", "B", "A"}, .values = accum});
     file.commit();
-    EXPECT_EQ(stored_in<float>(folder / "accum.exr").values, accum);
+    EXPECT_EQ(judge::stored_in<float>(folder / "accum.exr").values, accum);
 }
 
 }  // namespace gw::image
