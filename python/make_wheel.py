@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Packs the built package as a wheel for pip, with the libraries that it needs beside it. It runs on
-any Linux with Debian 12's glibc or a later one, and the same Python.
+"""Packs the built package as a wheel for pip, with the libraries that it needs beside it. It runs
+on any Linux with Debian 12's glibc or a later one, and the same Python.
 Usage: make_wheel.py PACKAGE_DIR VERSION OUTPUT_DIR: needs patchelf and python3-wheel
 """
 import pathlib
