@@ -31,7 +31,12 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     view: 'top',
     at: 'distance/sorted',
   },
-  wheel: { scene: 'pinwheel', algorithm: 'painter-farthest', size: '160x120', view: 'list' },
+  wheel: {
+    scene: 'pinwheel',
+    algorithm: 'painter-farthest',
+    size: '160x120',
+    view: 'list',
+  },
   tests: {
     scene: 'centroid_fails',
     algorithm: 'newell',
@@ -46,7 +51,13 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     view: 'list',
     at: 'marks/cycle',
   },
-  tree: { scene: 'cycle', algorithm: 'bsp', size: '160x120', view: 'tree', at: 'eye-side/front' },
+  tree: {
+    scene: 'cycle',
+    algorithm: 'bsp',
+    size: '160x120',
+    view: 'tree',
+    at: 'eye-side/front',
+  },
   lines: {
     scene: 'five',
     algorithm: 'scan-line',
@@ -63,7 +74,42 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     view: 'depth',
     at: 'z/not-nearer:3',
   },
-  culled: { scene: 'five', algorithm: 'back-face', size: '160x120', view: 'top' },
+  areas: {
+    scene: 'five',
+    algorithm: 'warnock',
+    size: '64x48',
+    view: 'windows',
+    at: 'window/hidden',
+  },
+  clipped: {
+    scene: 'cycle',
+    algorithm: 'weiler-atherton',
+    size: '160x120',
+    view: 'top',
+    at: 'split/outline',
+  },
+  sides_of_five: {
+    scene: 'five',
+    algorithm: 'appel',
+    size: '160x120',
+    view: 'top',
+    at: 'carried/parts',
+  },
+  bodies: { scene: 'five', algorithm: 'roberts', size: '160x120', view: 'top' },
+  cast: {
+    scene: 'cycle',
+    algorithm: 'ray-casting',
+    size: '64x48',
+    level: 'pixel',
+    view: 'depth',
+    at: 'ray/nearest',
+  },
+  culled: {
+    scene: 'five',
+    algorithm: 'back-face',
+    size: '160x120',
+    view: 'top',
+  },
 };
 
 /** Arguments of the command that writes a figure's log into a folder. */
@@ -74,9 +120,12 @@ export function argumentsOf(run: RunFigure, scenes: string, out: string): string
   return ['hidden', scene, ...how, '--quiet', '--steps', out];
 }
 
-/** The run in the lab, which stands beside the page of the articles. */
+/** An exhibit of the lab, which stands beside the page of the articles. */
+export const exhibitLink = (exhibit: string): string => `index.html#exhibit=${exhibit}`;
+
+/** The run in the lab. */
 export function labLink(run: RunFigure): string {
   const level = run.level ? `&level=${run.level}` : '';
   const what = `scene=hidden/${run.scene}.toml&algorithm=${run.algorithm}&size=${run.size}`;
-  return `index.html#exhibit=hidden&${what}${level}`;
+  return exhibitLink(`hidden&${what}${level}`);
 }

@@ -1,9 +1,10 @@
-// Starts the page. The logs of its runs stand in it, each in a script of its own, and are unpacked
-// when an article needs them.
+// Starts the page. The logs of its runs and its films stand in it, each in a script of its own, and
+// are unpacked when an article needs them.
 import { mount } from 'svelte';
 import { unpackedPieces } from '../model/packed';
 import { readLog, type Log } from '../model/steps/log';
 import App from './App.svelte';
+import type { Film } from './film';
 
 const logs = new Map<string, Promise<Log>>();
 function logOf(figure: string): Promise<Log> | undefined {
@@ -12,4 +13,12 @@ function logOf(figure: string): Promise<Log> | undefined {
   return logs.get(figure);
 }
 
-mount(App, { target: document.getElementById('app')!, props: { logOf } });
+function filmOf(figure: string): Film | undefined {
+  const data = document.getElementById(`film-${figure}`)?.textContent;
+  return data ? (JSON.parse(data) as Film) : undefined;
+}
+
+mount(App, {
+  target: document.getElementById('app')!,
+  props: { logOf, filmOf },
+});

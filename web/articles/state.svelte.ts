@@ -4,6 +4,8 @@ import { polygonOf, type Log } from '../model/steps/log';
 import { Replay } from '../model/steps/replay';
 import { placeOf, runNumber } from './bind';
 import type { RunFigure } from './figures';
+import { filmNumber, frameOf, type Film } from './film';
+import type { FilmFigure } from './films';
 import { stepNameOf, type StepName } from './markup';
 import { movedSpot, type Model, type Spot, type Spots } from './models/model';
 
@@ -25,6 +27,9 @@ export class RunState {
 
   go(name: StepName): void {
     this.position = placeOf(this.log.steps, name);
+  }
+  isNow(name: StepName): boolean {
+    return this.position === placeOf(this.log.steps, name);
   }
   isLit(name: string): boolean {
     return this.lit === name || this.lit === String(polygonOf(name));
@@ -59,5 +64,30 @@ export class ModelState {
   }
 }
 
-export type FigureState = RunState | ModelState;
+export class FilmState {
+  readonly kind = 'film';
+  position = $state(0);
+  /** A film has no shapes to light. */
+  lit = $state<string | undefined>();
+
+  constructor(
+    readonly figure: FilmFigure,
+    readonly film: Film,
+  ) {}
+
+  go(name: StepName): void {
+    this.position = frameOf(this.figure, name);
+  }
+  isNow(name: StepName): boolean {
+    return this.position === frameOf(this.figure, name);
+  }
+  isLit(): boolean {
+    return false;
+  }
+  number(name: string, at?: StepName): string | undefined {
+    return filmNumber(this.figure, this.film, this.position, name, at);
+  }
+}
+
+export type FigureState = RunState | ModelState | FilmState;
 export type Figures = ReadonlyMap<string, FigureState>;

@@ -2,13 +2,19 @@
 // A topic's texts are text/ID.en.txt and text/ID.ja.txt.
 import type { Language } from '../words/language';
 import { readArticle, type ArticleText } from './markup';
+import { exchange } from './models/exchange';
 import { facing } from './models/facing';
+import { invisibility } from './models/invisibility';
 import { keys } from './models/keys';
 import { layers } from './models/layers';
 import type { Model } from './models/model';
 import { planeSide } from './models/plane_side';
 import { precision } from './models/precision';
+import { ray } from './models/ray';
 import { scanEdges } from './models/scan_edges';
+import { shading } from './models/shading';
+import { volume } from './models/volume';
+import { windows } from './models/windows';
 
 export interface Topic {
   readonly id: string;
@@ -23,6 +29,13 @@ export const topics: readonly Topic[] = [
   { id: 'newell-bsp', rows: 'L5' },
   { id: 'scan-line', rows: 'L6, L7' },
   { id: 'z-buffer', rows: 'L8' },
+  { id: 'areas', rows: '' },
+  { id: 'hidden-lines', rows: 'L1' },
+  { id: 'ray-casting', rows: 'L9, L10' },
+  { id: 'shading', rows: 'K2, K3' },
+  { id: 'stencil-shadows', rows: 'K3.2' },
+  { id: 'item-buffer', rows: 'K4' },
+  { id: 'radiosity', rows: 'F1, F2' },
 ];
 
 export const models: Readonly<Record<string, Model>> = {
@@ -32,6 +45,12 @@ export const models: Readonly<Record<string, Model>> = {
   depth: precision,
   edges: scanEdges,
   sides: planeSide,
+  windows,
+  contour: invisibility,
+  ray,
+  light: shading,
+  volume,
+  exchange,
 };
 
 const files = import.meta.glob<string>('./text/*.txt', {

@@ -1,13 +1,16 @@
 // The articles with the logs of the command: every name in a text exists, and the page does what
 // the text promises.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { build } from 'vite';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { knowsPiece, placeOf, runNumber } from '../../articles/bind';
 import { argumentsOf, runs } from '../../articles/figures';
+import { filmNumber, frameOf } from '../../articles/film';
+import { films } from '../../articles/films';
+import { makeFilm } from '../../articles/make_film';
 import { linesOf, stepNameOf } from '../../articles/markup';
 import { articleOf, topics } from '../../articles/topics';
 import { parseLog } from '../../model/steps/log';
@@ -35,6 +38,28 @@ describe.skipIf(gw === '')('a run that an article shows', () => {
       else expect(runNumber(replay, steps.length, part.name, part.step), what).toBeDefined();
     }
   });
+});
+
+describe.skipIf(gw === '')('a film that an article shows', () => {
+  it.each(Object.keys(films))(
+    '%s has every frame and number that is named, and a picture for each frame',
+    (name) => {
+      const figure = films[name]!;
+      const film = makeFilm(figure, gw, scenes);
+      for (const part of ids.flatMap((id) => linesOf(articleOf(id, 'en')).flat())) {
+        if (!('figure' in part) || part.figure !== name) continue;
+        const what = JSON.stringify(part);
+        if (part.kind === 'piece') expect.fail(`${what}: a film has no shapes`);
+        else if (part.kind === 'step')
+          expect(frameOf(figure, part.step), what).toBeGreaterThanOrEqual(0);
+        else expect(filmNumber(figure, film, 0, part.name, part.step), what).toBeDefined();
+      }
+      const pictures = film.frames.map(({ picture }) => picture);
+      for (const picture of pictures) expect(picture.slice(0, 11)).toBe('iVBORw0KGgo');
+      expect(new Set(pictures).size).toBe(pictures.length);
+    },
+    300_000,
+  );
 });
 
 describe.skipIf(gw === '')('the page', () => {
@@ -67,6 +92,30 @@ describe.skipIf(gw === '')('the page', () => {
           expect(await pages.excess(), title).toBeLessThanOrEqual(0);
         }
     }, 300_000);
+
+    it('has links to the lab only if it is marked as standing beside it', async () => {
+      const links = async (): Promise<string[]> =>
+        pages.page.$$eval('a[href^="index.html"]', (all) => all.map((e) => e.className));
+      await open('article=radiosity&lang=en');
+      await pages.page.waitForSelector('figure img');
+      expect(await links()).toEqual([]);
+      const page = readFileSync(join(out, 'index.html'), 'utf8');
+      expect(page).toContain('data-beside=""');
+      writeFileSync(join(out, 'marked.html'), page.replace('data-beside=""', 'data-beside="yes"'));
+      await pages.openFile(join(out, 'marked.html'), '#article=radiosity&lang=en');
+      await pages.page.waitForSelector('figure img');
+      expect((await links()).length).toBeGreaterThan(1);
+    });
+
+    it('shows the picture of a film whose word is reached', async () => {
+      await open('article=radiosity&lang=en');
+      await pages.page.waitForSelector('figure img');
+      const name = () => pages.page.$eval('figure img', (e) => (e as HTMLImageElement).alt);
+      expect(await name()).toBe('1 shot');
+      const words = await pages.page.$$('button.step');
+      await words[1]!.focus();
+      expect(await name()).toBe('20 shots');
+    });
 
     it('lights the shape of a word that Tab reaches, and moves the numbers of a dragged eye', async () => {
       await open('article=back-faces&lang=en');
