@@ -20,7 +20,7 @@ export const ray: Model = {
     pixel: [0.5, screen],
     light: [-4.5, -3.5],
     c: [5, -2.5],
-    d: [5, 1.5],
+    d: [5, 2.5],
     m: [1, 0],
     n: [4, 1],
   },
@@ -107,10 +107,7 @@ export const ray: Model = {
         const next = hitsOf(end, plus(end, out), mirror)[0];
         const stop = plus(end, scaled(out, next?.t ?? far));
         shapes.push({
-          id: 'reflected',
-          kind: 'arrow',
-          at: [end, stop],
-          tone: 'second',
+          id: 'reflected', kind: 'arrow', at: [end, stop], tone: 'first',
         });
         values['second'] = next?.name ?? '0';
         values['rays'] = 3;
@@ -122,7 +119,7 @@ export const ray: Model = {
         id: `wall${name}`,
         kind: 'line',
         at,
-        tone: name === mirror ? 'second' : 'faint',
+        tone: 'second',
       });
       shapes.push({
         kind: 'text',
