@@ -1,5 +1,6 @@
-// Builds the articles as one file, with the logs of their runs and the pictures of their films. GW is the command that makes them,
-// GW_SCENES the folder of the scenes, GW_WEB_OUT that of the page.
+// Builds the articles as one file, with the logs of their runs and the pictures of their films.
+// GW is the command that makes them, GW_SCENES the folder of the scenes, GW_WEB_OUT that of the
+// page.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';

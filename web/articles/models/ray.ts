@@ -107,7 +107,10 @@ export const ray: Model = {
         const next = hitsOf(end, plus(end, out), mirror)[0];
         const stop = plus(end, scaled(out, next?.t ?? far));
         shapes.push({
-          id: 'reflected', kind: 'arrow', at: [end, stop], tone: 'first',
+          id: 'reflected',
+          kind: 'arrow',
+          at: [end, stop],
+          tone: 'first',
         });
         values['second'] = next?.name ?? '0';
         values['rays'] = 3;
