@@ -27,6 +27,7 @@ void edge_flag(Context& context, GLboolean flag);
 // 2.7 Vertices
 void vertex(Context& context, float x, float y, float z, float w);
 void tex_coord(Context& context, float s, float t, float r, float q);
+void multi_tex_coord(Context& context, GLenum texture, float s, float t, float r, float q);
 void normal(Context& context, float x, float y, float z);
 void color(Context& context, float red, float green, float blue, float alpha);
 void secondary_color(Context& context, float red, float green, float blue);
@@ -46,6 +47,7 @@ void index_pointer(Context& context, GLenum type, GLsizei stride, const GLvoid* 
 void tex_coord_pointer(Context& context, GLint size, GLenum type, GLsizei stride,
                        const GLvoid* pointer);
 void edge_flag_pointer(Context& context, GLsizei stride, const GLvoid* pointer);
+void client_active_texture(Context& context, GLenum texture);
 void enable_client_state(Context& context, GLenum array);
 void disable_client_state(Context& context, GLenum array);
 void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const GLvoid* pointer);
@@ -145,11 +147,17 @@ void tex_image_1d(Context& context, GLenum target, GLint level, GLint internal_f
 void tex_image_2d(Context& context, GLenum target, GLint level, GLint internal_format,
                   GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type,
                   const HostImage& image);
+void tex_image_3d(Context& context, GLenum target, GLint level, GLint internal_format,
+                  GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format,
+                  GLenum type, const HostImage& image);
 void tex_sub_image_1d(Context& context, GLenum target, GLint level, GLint xoffset, GLsizei width,
                       GLenum format, GLenum type, const HostImage& image);
 void tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
                       GLsizei width, GLsizei height, GLenum format, GLenum type,
                       const HostImage& image);
+void tex_sub_image_3d(Context& context, GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                      GLint zoffset, GLsizei width, GLsizei height, GLsizei depth, GLenum format,
+                      GLenum type, const HostImage& image);
 void copy_tex_image_1d(Context& context, GLenum target, GLint level, GLenum internal_format,
                        GLint x, GLint y, GLsizei width, GLint border);
 void copy_tex_image_2d(Context& context, GLenum target, GLint level, GLenum internal_format,
@@ -158,14 +166,19 @@ void copy_tex_sub_image_1d(Context& context, GLenum target, GLint level, GLint x
                            GLint y, GLsizei width);
 void copy_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
                            GLint yoffset, GLint x, GLint y, GLsizei width, GLsizei height);
+void copy_tex_sub_image_3d(Context& context, GLenum target, GLint level, GLint xoffset,
+                           GLint yoffset, GLint zoffset, GLint x, GLint y, GLsizei width,
+                           GLsizei height);
 void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenum internal_format,
                              GLsizei width, GLsizei height, GLint border, GLsizei image_size,
                              const HostImage& blocks);
 void compressed_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
                                  GLint yoffset, GLsizei width, GLsizei height, GLenum format,
                                  GLsizei image_size, const HostImage& blocks);
-/// No compressed format has one dimension.
+/// No compressed format has one or three dimensions.
 void compressed_tex_image_1d(Context& context, GLenum target);
+void compressed_tex_image_3d(Context& context, GLenum target);
+void active_texture(Context& context, GLenum texture);
 void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& params);
 void tex_env(Context& context, GLenum target, GLenum pname, const Params& params);
 void bind_texture(Context& context, GLenum target, GLuint texture);
@@ -186,6 +199,7 @@ void alpha_func(Context& context, GLenum func, GLclampf ref);
 void stencil_func(Context& context, GLenum func, GLint ref, GLuint mask);
 void stencil_op(Context& context, GLenum fail, GLenum zfail, GLenum zpass);
 void depth_func(Context& context, GLenum func);
+void sample_coverage(Context& context, GLclampf value, GLboolean invert);
 void blend_func(Context& context, GLenum sfactor, GLenum dfactor);
 void blend_func_separate(Context& context, GLenum src_rgb, GLenum dst_rgb, GLenum src_alpha,
                          GLenum dst_alpha);

@@ -40,6 +40,10 @@ int parameter_count(GLenum pname) {
         case GL_TEXTURE_MAG_FILTER:
         case GL_TEXTURE_WRAP_S:
         case GL_TEXTURE_WRAP_T:
+        case GL_TEXTURE_WRAP_R:
+        case GL_DEPTH_TEXTURE_MODE:
+        case GL_TEXTURE_COMPARE_MODE:
+        case GL_TEXTURE_COMPARE_FUNC:
         case GL_TEXTURE_PRIORITY:
         case GL_GENERATE_MIPMAP:
         case GL_TEXTURE_MIN_LOD:

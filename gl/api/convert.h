@@ -61,7 +61,8 @@ Numbers numbers(GLsizei n, const T* values) {
 
 Stipple stipple(const GLubyte* mask);
 constexpr bool is_proxy_target(GLenum target) {
-    return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D;
+    return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D ||
+           target == GL_PROXY_TEXTURE_3D || target == GL_PROXY_TEXTURE_CUBE_MAP;
 }
 /// The pixels of a texture's image; a proxy has none.
 inline const GLvoid* image_pixels(GLenum target, const GLvoid* pixels) {
@@ -74,6 +75,9 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
 /// The same for a texture's image. Sizes that no texture has are errors.
 HostImage unpack_texture(GLsizei width, GLsizei height, GLenum format, GLenum type,
                          const GLvoid* pixels);
+/// The same of three dimensions; the slices follow each other.
+HostImage unpack_volume(GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                        const GLvoid* pixels);
 /// The blocks of a compressed image; none if `size` is not that of such an image.
 HostImage compressed_blocks(GLenum format, GLsizei width, GLsizei height, GLsizei size,
                             const GLvoid* blocks);

@@ -12,7 +12,8 @@
 namespace gw::gl {
 
 struct Assembler {
-    bool inside = false;  ///< between Begin and End
+    bool inside = false;                   ///< between Begin and End
+    bool keeps_further_texcoords = false;  ///< of the open run: units 1 to 3 have textures
     Assembly mesh;
     std::vector<FaceMaterials> materials;  ///< of the mesh's vertices
     bool material_changed = false;         ///< since the last vertex

@@ -40,6 +40,9 @@ bool Assembly::operator==(const Assembly& other) const {
     return primitive == other.primitive && vertices.size() == other.vertices.size() &&
            std::memcmp(vertices.data(), other.vertices.data(),
                        vertices.size() * sizeof(AssembledVertex)) == 0 &&
+           further_texcoords.size() == other.further_texcoords.size() &&
+           std::memcmp(further_texcoords.data(), other.further_texcoords.data(),
+                       further_texcoords.size() * sizeof(FurtherTexcoords)) == 0 &&
            indices == other.indices && polygon_sizes == other.polygon_sizes;
 }
 
@@ -57,6 +60,7 @@ void Assembly::begin(GLenum mode, bool whole_strips) {
 
 void Assembly::clear() {
     vertices.clear();
+    further_texcoords.clear();
     indices.clear();
     polygon_sizes.clear();
     has_hidden_edges = false;
@@ -87,9 +91,15 @@ std::uint32_t* Assembly::add_indices(std::size_t count) {
     return indices.data() + (indices.size() - count);
 }
 
+/// The run has its first `count` vertices only.
+void Assembly::keep_vertices(std::size_t count) {
+    vertices.resize(run_begin_ + count);
+    if (!further_texcoords.empty()) further_texcoords.resize(run_begin_ + count);
+}
+
 /// The run's first `count` vertices are used in their order.
 void Assembly::keep_order(std::size_t count) {
-    vertices.resize(run_begin_ + count);
+    keep_vertices(count);
     if (indices.empty()) return;
     std::uint32_t* const at = add_indices(count);
     std::iota(at, at + count, static_cast<std::uint32_t>(run_begin_));
@@ -102,7 +112,7 @@ void Assembly::set_edges() {
 
 /// The vertex that gives a flat-shaded triangle its colour stays the last. [GL11] table 2.12
 void Assembly::end_triangles(std::size_t n) {
-    if (n < 3) return vertices.resize(run_begin_);
+    if (n < 3) return keep_vertices(0);
     set_edges();
     use_indices();
     const bool is_fan = mode_ == GL_TRIANGLE_FAN;
@@ -119,7 +129,7 @@ void Assembly::end_triangles(std::size_t n) {
 /// Quad i of a strip begins with its fourth corner. So its third, which gives a flat-shaded quad of
 /// a strip its colour, stands last. [GL11] table 2.12
 void Assembly::end_quad_strip(std::size_t n) {
-    if (n < 4) return vertices.resize(run_begin_);
+    if (n < 4) return keep_vertices(0);
     set_edges();
     use_indices();
     const auto first = static_cast<std::uint32_t>(run_begin_);
@@ -129,10 +139,13 @@ void Assembly::end_quad_strip(std::size_t n) {
 }
 
 void Assembly::end_lines(std::size_t n) {
-    if (n < 2) return vertices.resize(run_begin_);
+    if (n < 2) return keep_vertices(0);
     const bool is_loop = mode_ == GL_LINE_LOOP;
     if (primitive == Primitive::LineStrip) {
-        if (is_loop) vertices.push_back(AssembledVertex(vertices[run_begin_]));
+        if (!is_loop) return;
+        vertices.push_back(AssembledVertex(vertices[run_begin_]));
+        if (!further_texcoords.empty())
+            further_texcoords.push_back(FurtherTexcoords(further_texcoords[run_begin_]));
         return;
     }
     use_indices();
@@ -143,7 +156,7 @@ void Assembly::end_lines(std::size_t n) {
 }
 
 void Assembly::end_polygon(std::size_t n) {
-    if (n < 3) return vertices.resize(run_begin_);
+    if (n < 3) return keep_vertices(0);
     polygon_sizes.push_back(static_cast<std::uint32_t>(n));
     keep_order(n);
 }
@@ -160,7 +173,7 @@ int Assembly::separate_corners(GLenum mode) {
 
 bool Assembly::end_shared(std::size_t vertex_count, std::span<const std::uint32_t> run_indices) {
     if (vertices.size() - run_begin_ != vertex_count) {
-        vertices.resize(run_begin_);
+        keep_vertices(0);
         return false;
     }
     use_indices();

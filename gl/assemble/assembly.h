@@ -2,6 +2,7 @@
 // [GL11] 2.6.1. Knows no context and no state.
 #pragma once
 
+#include "gl/state/state.h"
 #include "gw/mesh.h"
 
 #include <GL/gl.h>
@@ -30,6 +31,8 @@ struct AssembledVertex {
 struct Assembly {
     Primitive primitive = Primitive::Points;
     std::vector<AssembledVertex> vertices;
+    /// As many as vertices, or none: then no vertex has any.
+    std::vector<FurtherTexcoords> further_texcoords;
     std::vector<std::uint32_t> indices;  ///< empty: 0, 1, 2, ...
     std::vector<std::uint32_t> polygon_sizes;
     bool has_hidden_edges = false;  ///< a vertex without edge flag
@@ -64,6 +67,7 @@ private:
     std::size_t run_begin_ = 0;  ///< the run's first vertex
 
     void use_indices();
+    void keep_vertices(std::size_t count);
     std::uint32_t* add_indices(std::size_t count);
     void keep_order(std::size_t count);
     void set_edges();

@@ -34,6 +34,23 @@ void add_texcoords(MeshData& data, const std::vector<AssembledVertex>& vertices)
         collect(data.texcoords_rq, vertices, rq);
 }
 
+/// Of unit `i` + 1, if they vary.
+void add_further_texcoords(MeshData& data, const std::vector<FurtherTexcoords>& all,
+                           std::size_t i) {
+    const auto varies = [&](auto value) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const auto& v) { return value(v[i]) != value(all.front()[i]); });
+    };
+    if (all.empty() || !varies([](const vec4& v) { return v; })) return;
+    UnitTexcoords& out = data.more_texcoords[i];
+    const auto rq = [](const vec4& v) { return vec2(v.z, v.w); };
+    const bool has_rq = rq(all.front()[i]) != vec2(0, 1) || varies(rq);
+    for (const FurtherTexcoords& v : all) {
+        out.st.push_back(vec2(v[i]));
+        if (has_rq) out.rq.push_back(rq(v[i]));
+    }
+}
+
 /// The values that vary become arrays of the mesh, the others the draw's current values.
 void add_values(MeshData& data, const Assembly& a, const std::vector<FaceMaterials>& materials,
                 const VertexValues& used) {
@@ -50,6 +67,8 @@ void add_values(MeshData& data, const Assembly& a, const std::vector<FaceMateria
         collect(data.secondary_colors, vertices, secondary);
     if (used.fog_coordinates && !all_equal(vertices, fog))
         collect(data.fog_coordinates, vertices, fog);
+    for (std::size_t i = 0; i < used.further_texcoords.size(); ++i)
+        if (used.further_texcoords[i]) add_further_texcoords(data, a.further_texcoords, i);
     if (used.materials && materials.size() > 1) {
         data.materials = materials;
         collect(data.material_indices, vertices, [](const auto& v) { return v.material(); });
@@ -68,22 +87,27 @@ MeshData mesh_data(const Assembly& a, const std::vector<FaceMaterials>& material
     return data;
 }
 
+bool uses_normals(GLenum gen_mode) {
+    return gen_mode == GL_SPHERE_MAP || gen_mode == GL_NORMAL_MAP || gen_mode == GL_REFLECTION_MAP;
+}
+
 }  // namespace
 
 VertexValues used_values(const State& s, bool is_feedback) {
     const bool lit = s.lighting.enable;
-    const bool textured = s.texture.enable[0] || s.texture.enable[1] || is_feedback;
-    bool sphere_map = false, given = false;
-    for (const TexGenState& gen : s.texture.gen) {
-        sphere_map |= gen.enable && gen.mode == GL_SPHERE_MAP;
-        given |= !gen.enable;
+    VertexValues out{.colors = !lit || s.lighting.color_material, .normals = lit, .materials = lit};
+    for (std::size_t i = 0; i < texture_unit_count; ++i) {
+        const TextureUnit& unit = s.texture.units[i];
+        if (!unit.is_enabled() && !(is_feedback && i == 0)) continue;
+        bool& texcoords = i == 0 ? out.texcoords : out.further_texcoords[i - 1];
+        for (const TexGenState& gen : unit.gen) {
+            out.normals |= gen.enable && uses_normals(gen.mode);
+            texcoords |= !gen.enable;
+        }
     }
-    return {.colors = !lit || s.lighting.color_material,
-            .normals = lit || (textured && sphere_map),
-            .texcoords = textured && given,
-            .materials = lit,
-            .secondary_colors = s.fog.color_sum && !lit,
-            .fog_coordinates = s.fog.enable && s.fog.coordinate_source == GL_FOG_COORDINATE};
+    out.secondary_colors = s.fog.color_sum && !lit;
+    out.fog_coordinates = s.fog.enable && s.fog.coordinate_source == GL_FOG_COORDINATE;
+    return out;
 }
 
 MeshRef mesh_of(const Assembly& assembly, const std::vector<FaceMaterials>& materials,

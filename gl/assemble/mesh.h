@@ -5,6 +5,7 @@
 #include "gl/state/state.h"
 #include "gw/mesh.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace gw::gl {
 struct VertexValues {
     bool colors = false, normals = false, texcoords = false, materials = false;
     bool secondary_colors = false, fog_coordinates = false;
+    std::array<bool, texture_unit_count - 1> further_texcoords{};  ///< of units 1 to 3
     bool operator==(const VertexValues&) const = default;
 };
 

@@ -31,24 +31,32 @@ void copy_groups(State& to, const State& from, GLbitfield mask) {
     if (mask & GL_LIST_BIT) to.list = from.list;
     if (mask & GL_TEXTURE_BIT) to.texture = from.texture;
     if (mask & GL_SCISSOR_BIT) to.scissor = from.scissor;
+    if (mask & GL_MULTISAMPLE_BIT) to.multisample = from.multisample;
 }
 
-void save_enables(SavedAttributes& saved, const State& s) {
-    for (const Capability& capability : capabilities())
-        saved.enables.push_back(is_enabled(s, capability));
+void save_enables(SavedAttributes& saved, State& s) {
+    for_each_switch(s, [&](bool is_on) { saved.enables.push_back(is_on); });
 }
 void restore_enables(State& s, const SavedAttributes& saved) {
     std::size_t i = 0;
-    for (const Capability& capability : capabilities())
-        capability.field(s, capability.index) = saved.enables[i++];
+    for_each_switch(s, [&](bool& field) { field = saved.enables[i++]; });
 }
 
+void save_textures(SavedAttributes& saved, const Context& context) {
+    for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
+        for (std::size_t target = 0; target < texture_target_count; ++target)
+            saved.textures[unit][target] = context.textures.bound[unit][target]->parameters;
+}
 /// PopAttrib binds the textures again that were bound, as far as they still exist.
 void restore_textures(Context& context, const SavedAttributes& saved) {
-    for (std::size_t target = 0; target < texture_target_count; ++target) {
-        const GLenum name = GL_TEXTURE_1D + GLenum(target);
-        execute::bind_texture(context, name, saved.state.texture.bound[target]);
-        context.textures.bound[target]->parameters = saved.textures[target];
+    for (std::size_t unit = 0; unit < texture_unit_count; ++unit) {
+        context.state.texture.active = unit;
+        for (std::size_t target = 0; target < texture_target_count; ++target) {
+            if (!has_target(context.profile, target)) continue;
+            execute::bind_texture(context, texture_targets[target],
+                                  saved.state.texture.units[unit].bound[target]);
+            context.textures.bound[unit][target]->set_parameters(saved.textures[unit][target]);
+        }
     }
 }
 
@@ -57,6 +65,7 @@ constexpr GLbitfield known_client_groups = GL_CLIENT_PIXEL_STORE_BIT | GL_CLIENT
 void copy_client_groups(ClientState& to, const ClientState& from, GLbitfield mask) {
     if (mask & GL_CLIENT_VERTEX_ARRAY_BIT) {
         to.arrays = from.arrays;
+        to.active_unit = from.active_unit;
         to.array_buffer = from.array_buffer;
         to.element_buffer = from.element_buffer;
     }
@@ -72,16 +81,20 @@ void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
     copy_groups(to.state, from.state, mask);
     if (mask & GL_ENABLE_BIT) {
         SavedAttributes saved;
-        save_enables(saved, from.state);
+        State copied = from.state;
+        save_enables(saved, copied);
         restore_enables(to.state, saved);
     }
     to.translated.changed = true;
     if (!(mask & GL_TEXTURE_BIT)) return;
-    for (std::size_t i = 0; i < texture_target_count; ++i) {
-        const bool has = from.state.texture.bound[i] != 0 && to.shared == from.shared;
-        to.textures.bound[i] = has ? from.textures.bound[i] : to.textures.initial[i];
-        if (!has) to.state.texture.bound[i] = 0;
-    }
+    for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
+        for (std::size_t i = 0; i < texture_target_count; ++i) {
+            GLuint& name = to.state.texture.units[unit].bound[i];
+            const bool has = name != 0 && to.shared == from.shared;
+            to.textures.bound[unit][i] =
+                has ? from.textures.bound[unit][i] : to.textures.initial[i];
+            if (!has) name = 0;
+        }
 }
 
 namespace execute {
@@ -94,9 +107,7 @@ void push_attrib(Context& context, GLbitfield mask) {
     saved.mask = mask;
     copy_groups(saved.state, context.state, mask);
     if (mask & GL_ENABLE_BIT) save_enables(saved, context.state);
-    if (mask & GL_TEXTURE_BIT)
-        for (std::size_t i = 0; i < texture_target_count; ++i)
-            saved.textures[i] = context.textures.bound[i]->parameters;
+    if (mask & GL_TEXTURE_BIT) save_textures(saved, context);
 }
 
 void pop_attrib(Context& context) {

@@ -10,7 +10,7 @@ namespace gw::gl {
 namespace {
 
 void set_capability(Context& context, GLenum name, bool on) {
-    const Capability* const capability = find_capability(name);
+    const Capability* const capability = find_capability(context.profile, name);
     // GL_EXT_vertex_array: arrays are enabled as other capabilities are.
     if (ClientArray* const array = find_array(context.client, name)) {
         array->enable = on;
@@ -30,7 +30,7 @@ void enable(Context& context, GLenum cap) { set_capability(context, cap, true); 
 void disable(Context& context, GLenum cap) { set_capability(context, cap, false); }
 
 GLboolean is_enabled(Context& context, GLenum cap) {
-    const Capability* const capability = find_capability(cap);
+    const Capability* const capability = find_capability(context.profile, cap);
     if (capability != nullptr)
         return gl::is_enabled(context.state, *capability) ? GL_TRUE : GL_FALSE;
     if (const ClientArray* array = find_array(context.client, cap)) return array->enable;

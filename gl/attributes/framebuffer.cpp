@@ -36,6 +36,11 @@ bool names_a_buffer(const Context& context, GLenum mode) {
 
 namespace execute {
 
+void sample_coverage(Context& context, GLclampf value, GLboolean invert) {
+    change(context, context.state.multisample.coverage_value, clamped(value, 0.0f, 1.0f));
+    change(context, context.state.multisample.coverage_invert, invert != GL_FALSE);
+}
+
 void clear(Context& context, GLbitfield mask) {
     if (mask & ~all_buffers) return set_error(context, GL_INVALID_VALUE);
     flush_mesh(context);

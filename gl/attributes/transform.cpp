@@ -19,7 +19,7 @@ namespace {
 /// The matrix that the calls below change; what was assembled is drawn with the old one.
 dmat4& changing_matrix(Context& context) {
     begin_change(context);
-    return context.matrices.current(context.state.transform.matrix_mode).top();
+    return context.matrices.current(context.state).top();
 }
 
 /// Matrices hold floats: what GetFloatv hands out, LoadMatrixf brings back to the bit.
@@ -27,8 +27,7 @@ void set_matrix(Context& context, const dmat4& m) {
     changing_matrix(context) = dmat4(glm::mat4(m));
 }
 void multiply(Context& context, const dmat4& m) {
-    set_matrix(context,
-               product(context.matrices.current(context.state.transform.matrix_mode).top(), m));
+    set_matrix(context, product(context.matrices.current(context.state).top(), m));
 }
 
 /// [GL11] 2.10.2: rotation by `angle` degrees about an axis of length 1.
@@ -50,6 +49,9 @@ dvec4 plane_in_eye(const Context& context, const Params& p) {
     for (int i = 0; i < 4; ++i) out[i] = dot4(plane, inverse[i]);
     return finite(out);
 }
+
+/// [GL13] 2.10.4
+bool is_cube_mode(GLenum mode) { return mode == GL_NORMAL_MAP || mode == GL_REFLECTION_MAP; }
 
 bool is_eye_or_object_plane(GLenum pname) {
     return pname == GL_EYE_PLANE || pname == GL_OBJECT_PLANE;
@@ -134,13 +136,13 @@ void ortho(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLd
 }
 
 void push_matrix(Context& context) {
-    MatrixStack& stack = context.matrices.current(context.state.transform.matrix_mode);
+    MatrixStack& stack = context.matrices.current(context.state);
     if (stack.entries.size() >= stack.depth) return set_error(context, GL_STACK_OVERFLOW);
     stack.entries.push_back(dmat4(stack.top()));
 }
 
 void pop_matrix(Context& context) {
-    MatrixStack& stack = context.matrices.current(context.state.transform.matrix_mode);
+    MatrixStack& stack = context.matrices.current(context.state);
     if (stack.entries.size() == 1) return set_error(context, GL_STACK_UNDERFLOW);
     if (stack.top() != stack.entries[stack.entries.size() - 2]) begin_change(context);
     stack.entries.pop_back();
@@ -148,7 +150,7 @@ void pop_matrix(Context& context) {
 
 void tex_gen(Context& context, GLenum coord, GLenum pname, const Params& params) {
     if (coord < GL_S || coord > GL_Q) return set_error(context, GL_INVALID_ENUM);
-    TexGenState& s = context.state.texture.gen[coord - GL_S];
+    TexGenState& s = context.state.texture.unit().gen[coord - GL_S];
     if (is_eye_or_object_plane(pname)) {
         if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
         if (pname == GL_EYE_PLANE)
@@ -156,8 +158,10 @@ void tex_gen(Context& context, GLenum coord, GLenum pname, const Params& params)
         return change(context, s.object_plane, dvec4(params[0], params[1], params[2], params[3]));
     }
     const GLenum mode = params.token();
-    const bool known = mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
-                       (mode == GL_SPHERE_MAP && coord <= GL_T);
+    const bool known =
+        mode == GL_OBJECT_LINEAR || mode == GL_EYE_LINEAR ||
+        (mode == GL_SPHERE_MAP && coord <= GL_T) ||
+        (is_cube_mode(mode) && coord <= GL_R && context.profile.extensions.texture_cube);
     if (pname != GL_TEXTURE_GEN_MODE || !known) return set_error(context, GL_INVALID_ENUM);
     change(context, s.mode, mode);
 }

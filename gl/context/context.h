@@ -20,6 +20,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace gw::gl {
@@ -43,7 +44,7 @@ struct SavedAttributes {
     State state;                ///< its groups of `mask` count
     std::vector<bool> enables;  ///< GL_ENABLE_BIT: in the order of capabilities()
     /// GL_TEXTURE_BIT: the parameters of the bound textures
-    std::array<TextureParameters, texture_target_count> textures{};
+    std::array<std::array<TextureParameters, texture_target_count>, texture_unit_count> textures{};
 };
 inline constexpr std::size_t attribute_stack_depth = 16;
 
@@ -80,6 +81,20 @@ struct Context {
     bool has_been_current = false;
     GLenum error = GL_NO_ERROR;
 };
+
+/// The units that a profile has.
+inline std::size_t unit_count(const Profile& profile) {
+    return profile.extensions.texture_units ? texture_unit_count : 1;
+}
+/// The unit that a name GL_TEXTURE0 .. means; none: there is no such unit.
+inline std::optional<std::size_t> unit_index(const Profile& profile, GLenum name) {
+    const std::size_t unit = name - GL_TEXTURE0;  // large for smaller names
+    return unit < unit_count(profile) ? std::optional(unit) : std::nullopt;
+}
+/// The texture object that the active unit has at a target.
+inline TextureObject& bound_texture(const Context& context, std::size_t target) {
+    return *context.textures.bound[context.state.texture.active][target];
+}
 
 /// Keeps the first error until GetError. [GL11] 2.5
 void set_error(Context& context, GLenum error);

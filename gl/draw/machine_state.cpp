@@ -8,6 +8,7 @@
 #include "gw/stages/vertex.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -112,24 +113,21 @@ CoordinateGen coordinate(const TexGenState& s) {
     if (!s.enable) return {};
     if (s.mode == GL_OBJECT_LINEAR) return {CoordinateMode::ObjectLinear, s.object_plane};
     if (s.mode == GL_EYE_LINEAR) return {CoordinateMode::EyeLinear, s.eye_plane};
+    if (s.mode == GL_NORMAL_MAP) return {CoordinateMode::NormalMap, {}};
+    if (s.mode == GL_REFLECTION_MAP) return {CoordinateMode::ReflectionMap, {}};
     return {CoordinateMode::SphereMap, {}};
 }
 
-/// Feedback and the raster position have texture coordinates without a texture too.
-void set_texture_coordinates(gw::State& out, const Context& context) {
-    if (is_finite(context.matrices.texture.top()))
-        out.texture.matrix = context.matrices.texture.top();
-    bool generates = false;
-    for (std::size_t i = 0; i < 4; ++i) {
-        const TexGenState& gen = context.state.texture.gen[i];
-        out.texture.coordinates[i] = coordinate(gen);
-        generates |= gen.enable;
-    }
-    if (generates) out.texture.gen = TexGen::PerCoordinate;
+void set_texture_coordinates(gw::TextureState& out, const Context& context, std::size_t unit) {
+    const dmat4& matrix = context.matrices.texture[unit].top();
+    const TextureUnit& s = context.state.texture.units[unit];
+    if (is_finite(matrix)) out.matrix = matrix;
+    for (std::size_t i = 0; i < 4; ++i) out.coordinates[i] = coordinate(s.gen[i]);
+    if (s.generates()) out.gen = TexGen::PerCoordinate;
 }
 
 /// The machine's textures begin with the base level.
-TextureLodState levels_of_detail(const TextureState& s, const TextureParameters& p) {
+TextureLodState levels_of_detail(const TextureUnit& s, const TextureParameters& p) {
     return {.bias = clamped(s.lod_bias + p.lod_bias, -max_lod_bias, max_lod_bias),
             .min = p.min_lod,
             .max = p.max_lod};
@@ -146,22 +144,52 @@ gw::CombineState combine(const CombineState& s) {
             .scale = s.scale};
 }
 
-void set_texture(gw::State& out, const Context& context) {
-    const TextureState& s = context.state.texture;
-    if (!s.enable[0] && !s.enable[1]) return;
-    const TextureParameters& p = context.textures.bound[s.enable[1] ? 1 : 0]->parameters;
-    out.texture.min_filter = word<MinFilter>(p.min_filter);
-    out.texture.mag_filter = word<MagFilter>(p.mag_filter);
-    out.texture.wrap_s = wrap(p.wrap_s, context.profile);
-    out.texture.wrap_t = wrap(p.wrap_t, context.profile);
-    out.texture.border_color = p.border_color;
-    out.texture.env = word<gw::TexEnv>(s.env_mode);
-    out.texture.env_color = s.env_color;
-    if (context.profile.extensions.texture_lod) out.texture.lod = levels_of_detail(s, p);
+/// The look-up in the texture of a target.
+void set_look_up(gw::TextureState& out, const Context& context, const TextureObject& object,
+                 std::size_t target) {
+    const Extensions& has = context.profile.extensions;
+    const TextureParameters& p = object.parameters;
+    out.min_filter = word<MinFilter>(p.min_filter);
+    out.mag_filter = word<MagFilter>(p.mag_filter);
+    out.wrap_s = wrap(p.wrap_s, context.profile);
+    out.wrap_t = wrap(p.wrap_t, context.profile);
+    if (target == three_dimensions) out.wrap_r = wrap(p.wrap_r, context.profile);
+    out.border_color = p.border_color;
+    out.seamless = target == cube && has.texture_seamless && context.state.texture.seamless;
+    // [GL14] 3.8.14: colours are not compared.
+    out.shadow_compare =
+        p.compare_mode == GL_COMPARE_R_TO_TEXTURE && is_depths(object.base().internal_format);
+    if (out.shadow_compare) out.compare_func = word<CompareFunc>(p.compare_func);
+}
+
+/// The texture of a unit, and its environment.
+void set_texture(gw::TextureState& out, const Context& context, std::size_t unit) {
+    const TextureUnit& s = context.state.texture.units[unit];
+    const auto target = enabled_target(s);
+    if (!target) return;
+    const TextureObject& object = *context.textures.bound[unit][*target];
+    set_look_up(out, context, object, *target);
+    out.env = word<gw::TexEnv>(s.env_mode);
+    out.env_color = s.env_color;
+    if (context.profile.extensions.texture_lod) out.lod = levels_of_detail(s, object.parameters);
     if (context.profile.extensions.texture_combine) {
-        out.texture.combine_rgb = combine(s.combine_rgb);
-        out.texture.combine_alpha = combine(s.combine_alpha);
+        out.combine_rgb = combine(s.combine_rgb);
+        out.combine_alpha = combine(s.combine_alpha);
     }
+}
+
+/// Feedback and the raster position have texture coordinates without a texture too.
+void set_textures(gw::State& out, const Context& context) {
+    set_texture_coordinates(out.texture, context, 0);
+    set_texture(out.texture, context, 0);
+    if (!context.state.texture.uses_further_units()) return;
+    std::array<gw::TextureState, max_texture_units - 1> units;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit) {
+        if (!context.state.texture.units[unit].is_enabled()) continue;
+        set_texture_coordinates(units[unit - 1], context, unit);
+        set_texture(units[unit - 1], context, unit);
+    }
+    out.more_textures.units = std::make_shared<const decltype(units)>(units);
 }
 
 void set_fog(gw::State& out, const FogState& s, const Extensions& has) {
@@ -257,8 +285,7 @@ gw::State machine_state(const Context& context) {
     set_lighting(out, context.state.lighting, context.profile.extensions);
     set_sizes(out, context.state, context.profile);
     set_rasterization(out, context.state, context.profile.extensions);
-    set_texture_coordinates(out, context);
-    set_texture(out, context);
+    set_textures(out, context);
     set_fog(out, context.state.fog, context.profile.extensions);
     set_fragments(out, context.state, context.profile.extensions);
     set_buffers(out, context);
@@ -269,6 +296,13 @@ double window_depth(double z, const gw::State& state) {
     const double n = state.depth_range.near_value, f = state.depth_range.far_value;
     if (state.clip_control.depth == ClipDepth::ZeroToOne) return z * (f - n) + n;
     return z * ((f - n) / 2) + (f + n) / 2;
+}
+
+gw::MoreTextures further_coordinates(const Context& context) {
+    std::array<gw::TextureState, max_texture_units - 1> units;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        set_texture_coordinates(units[unit - 1], context, unit);
+    return {std::make_shared<const decltype(units)>(units)};
 }
 
 LightsRef machine_lights(const LightingState& lighting) {

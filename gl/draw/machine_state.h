@@ -17,6 +17,9 @@ gw::State machine_state(const Context& context);
 /// The depth 0 .. 1 of z / w.
 double window_depth(double z, const gw::State& state);
 
+/// How units 1 to 3 make texture coordinates, whether they have textures or not.
+gw::MoreTextures further_coordinates(const Context& context);
+
 /// Null if no light is enabled.
 LightsRef machine_lights(const LightingState& lighting);
 

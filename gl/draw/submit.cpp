@@ -17,11 +17,19 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
     return std::make_shared<const CurrentValues>(values);
 }
 
+/// Of unit 0, and of the others that have textures.
+bool has_finite_texture_matrices(const Context& context) {
+    for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
+        if ((unit == 0 || context.state.texture.units[unit].is_enabled()) &&
+            !is_finite(context.matrices.texture[unit].top()))
+            return false;
+    return true;
+}
+
 /// Whether a draw can have pixels: products of matrices may overflow.
 bool is_drawable(const Context& context) {
     return !is_empty(context.state.viewport) && is_finite(context.matrices.modelview.top()) &&
-           is_finite(context.matrices.projection.top()) &&
-           is_finite(context.matrices.texture.top());
+           is_finite(context.matrices.projection.top()) && has_finite_texture_matrices(context);
 }
 
 }  // namespace
@@ -43,24 +51,32 @@ void update_machine_state(Context& context) {
     context.translated.changed = false;
 }
 
-TextureRef enabled_texture(Context& context) {
-    const auto& enable = context.state.texture.enable;
-    if (!enable[0] && !enable[1]) return nullptr;
-    const std::size_t target = enable[1] ? 1 : 0;
-    TextureObject& object = *context.textures.bound[target];
+TextureRef enabled_texture(Context& context, std::size_t unit) {
+    const auto target = enabled_target(context.state.texture.units[unit]);
+    if (!target) return nullptr;
+    TextureObject& object = *context.textures.bound[unit][*target];
     TextureRef texture;
     std::size_t new_bytes = 0;
     {
         const auto lock = context.shared->exclusive();
-        texture = machine_texture(object, target, context.profile);
+        texture = machine_texture(object, *target, context.profile);
         if (texture) new_bytes = std::exchange(object.new_bytes, 0);
     }
     if (new_bytes != 0 && context.drawable != nullptr) context.drawable->hold(new_bytes);
     return texture;
 }
 
+std::shared_ptr<const MoreBindings> further_textures(Context& context) {
+    static_assert(texture_unit_count == max_texture_units);
+    if (!context.state.texture.uses_further_units()) return nullptr;
+    MoreBindings out;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        out[unit - 1].texture = enabled_texture(context, unit);
+    return std::make_shared<const MoreBindings>(std::move(out));
+}
+
 Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
-               const FaceMaterials& materials) {
+               const FurtherTexcoords& further, const FaceMaterials& materials) {
     Draw draw;
     draw.mesh = std::move(mesh);
     draw.eye_from_object = context.matrices.modelview.top();
@@ -68,9 +84,10 @@ Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
     if (context.state.lighting.two_side)
         draw.back_material = std::make_shared<const gw::Material>(materials.back);
     draw.current = shared_values({values.color, values.normal, values.texcoord,
-                                  values.secondary_color, values.fog_coordinate});
+                                  values.secondary_color, values.fog_coordinate, further});
     draw.lights = context.translated.lights;
     draw.map.texture = enabled_texture(context);
+    draw.more_maps = further_textures(context);
     return draw;
 }
 
@@ -111,9 +128,12 @@ void flush_mesh(Context& context) {
     if (a.mesh.empty() || a.inside) return;
     update_machine_state(context);
     const AssembledVertex first = a.mesh.vertices.front();
+    const FurtherTexcoords further = a.mesh.further_texcoords.empty()
+                                         ? initial_further_texcoords
+                                         : a.mesh.further_texcoords.front();
     MeshRef mesh = context.meshes.mesh_of(
         a.mesh, a.materials, used_values(context.state, context.selection.mode == GL_FEEDBACK));
-    submit(context, make_draw(context, std::move(mesh), first, a.materials.front()),
+    submit(context, make_draw(context, std::move(mesh), first, further, a.materials.front()),
            std::exchange(context.calls.runs, {}));
     a.clear();
 }

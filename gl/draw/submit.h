@@ -30,13 +30,16 @@ void change(Context& context, T& field, const V& value) {
 /// The current materials of both faces.
 FaceMaterials face_materials(const Context& context);
 
-/// The enabled texture; two dimensions come before one. Null: none, or it is not complete. [GL11]
-/// 3.8.10
-TextureRef enabled_texture(Context& context);
+/// The enabled texture of a unit; cubes come before three dimensions, those before two. Null: none,
+/// or it is not complete. [GL13] 3.8.15
+TextureRef enabled_texture(Context& context, std::size_t unit = 0);
+/// Those of units 1 to 3; null: there are none.
+std::shared_ptr<const MoreBindings> further_textures(Context& context);
 
-/// A draw with the current state. A vertex has `values` if the mesh has no array of them.
+/// A draw with the current state. A vertex has `values` and `further` if the mesh has no array of
+/// them.
 Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
-               const FaceMaterials& materials);
+               const FurtherTexcoords& further, const FaceMaterials& materials);
 /// The same draw with a texture of two dimensions, so that the vertex stages make all texture
 /// coordinates.
 Draw with_texture_coordinates(Draw draw);

@@ -25,6 +25,8 @@ template <>
 inline constexpr bool may_be_for_proxy<execute::tex_image_1d> = true;
 template <>
 inline constexpr bool may_be_for_proxy<execute::tex_image_2d> = true;
+template <>
+inline constexpr bool may_be_for_proxy<execute::tex_image_3d> = true;
 
 /// [GL11] 5.4: the images of proxies are set at once, while a list is open too.
 template <auto execute, class... Values>

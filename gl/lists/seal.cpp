@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <optional>
+#include <tuple>
 
 namespace gw::gl {
 
@@ -35,6 +36,7 @@ private:
     bool take_begin(GLenum mode);
     bool take_vertex(const vec4& position, Function function);
     bool take_end();
+    bool take_texcoord(const std::tuple<GLenum, float, float, float, float>& call);
     void begin_group(const Position& p, std::uint32_t first);
     /// Ends the group before `p`: a step of its own if it is complete and large.
     void end_group(const Position& p);
@@ -47,6 +49,7 @@ private:
     RunCalls run_calls_;
     std::shared_ptr<SealedRuns> runs_;
     AssembledVertex now_;
+    FurtherTexcoords further_;
     GivenValues given_;
     std::optional<GivenValues> given_to_all_;  ///< at the first vertex
     std::size_t vertices_ = 0;
@@ -58,6 +61,7 @@ void Sealer::begin_group(const Position& p, std::uint32_t first) {
     group_first_ = first;
     runs_ = std::make_shared<SealedRuns>();
     now_ = {};
+    further_ = initial_further_texcoords;
     given_ = {};
     given_to_all_.reset();
     vertices_ = 0;
@@ -81,7 +85,10 @@ bool Sealer::take_vertex(const vec4& position, Function function) {
     for (int i = 0; i < 4; ++i)
         if (!std::isfinite(position[i])) return false;
     now_.position = position;
-    runs_->parts.back().assembly.add(now_);
+    Assembly& assembly = runs_->parts.back().assembly;
+    assembly.add(now_);
+    if (given_.further_texcoords != decltype(given_.further_texcoords){})
+        assembly.further_texcoords.push_back(further_);
     if (calls_are_kept) run_calls_.add({.number = number_, .function = function});
     ++vertices_;
     return true;
@@ -93,6 +100,16 @@ bool Sealer::take_end() {
     part.assembly.end();
     if (calls_are_kept) run_calls_.end(part.assembly, part.calls);
     inside_ = false;
+    return true;
+}
+
+/// Of any unit that a profile may have.
+bool Sealer::take_texcoord(const std::tuple<GLenum, float, float, float, float>& call) {
+    const auto& [texture, s, t, r, q] = call;
+    const std::size_t unit = texture - GL_TEXTURE0;
+    if (unit >= texture_unit_count) return false;
+    (unit == 0 ? now_.texcoord : further_[unit - 1]) = {s, t, r, q};
+    (unit == 0 ? given_.texcoord : given_.further_texcoords[unit - 1]) = true;
     return true;
 }
 
@@ -127,6 +144,7 @@ bool Sealer::take(const Position& p) {
         now_.fog_coordinate = std::get<0>(*v);
         return given_.fog_coordinate = true;
     }
+    if (const auto* v = call_of<execute::multi_tex_coord>(p)) return take_texcoord(*v);
     if (const auto* v = call_of<execute::edge_flag>(p)) {
         now_.edge_and_material = std::get<0>(*v) != GL_FALSE ? 1u : 0u;
         return given_.edge_flag = true;
@@ -151,6 +169,7 @@ void Sealer::end_group(const Position& p) {
     runs_->given = *given_to_all_;
     runs_->given_after = given_;
     runs_->last = now_;
+    runs_->last_further = further_;
     add_step(group_begin_, p, group_first_, std::move(runs_));
 }
 

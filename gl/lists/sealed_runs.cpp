@@ -9,12 +9,9 @@ namespace {
 
 /// The mesh of a part for a draw that uses these values.
 const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
-    const std::size_t bits = (used.colors ? 1u : 0u) | (used.normals ? 2u : 0u) |
-                             (used.texcoords ? 4u : 0u) | (used.secondary_colors ? 8u : 0u) |
-                             (used.fog_coordinates ? 16u : 0u);
-    MeshRef& mesh = part.meshes[bits];
-    if (!mesh) mesh = mesh_of(part.assembly, {}, used);
-    return mesh;
+    for (const auto& [values, mesh] : part.meshes)
+        if (values == used) return mesh;
+    return part.meshes.emplace_back(used, mesh_of(part.assembly, {}, used)).second;
 }
 
 /// The current values in place of arrays that a mesh lacks.
@@ -29,12 +26,23 @@ AssembledVertex common_values(const Context& context, const SealedRuns& runs,
     return out;
 }
 
+/// The same of the texture coordinates of units 1 to 3.
+FurtherTexcoords common_further(const Context& context, const SealedRuns& runs,
+                                const SealedRuns::Part& part) {
+    FurtherTexcoords out = context.state.current.further_texcoords;
+    for (std::size_t i = 0; i < out.size(); ++i)
+        if (runs.given.further_texcoords[i]) out[i] = part.assembly.further_texcoords.front()[i];
+    return out;
+}
+
 void set_current(CurrentState& now, const SealedRuns& runs) {
     if (runs.given_after.color) now.color = runs.last.color;
     if (runs.given_after.normal) now.normal = runs.last.normal;
     if (runs.given_after.texcoord) now.texcoord = runs.last.texcoord;
     if (runs.given_after.secondary_color) now.secondary_color = runs.last.secondary_color;
     if (runs.given_after.fog_coordinate) now.fog_coordinate = runs.last.fog_coordinate;
+    for (std::size_t i = 0; i < now.further_texcoords.size(); ++i)
+        if (runs.given_after.further_texcoords[i]) now.further_texcoords[i] = runs.last_further[i];
     if (runs.given_after.edge_flag) now.edge_flag = runs.last.edge();
 }
 
@@ -63,11 +71,14 @@ bool draw_runs(Context& context, SealedRuns& runs) {
     used.texcoords &= runs.given.texcoord;
     used.secondary_colors &= runs.given.secondary_color;
     used.fog_coordinates &= runs.given.fog_coordinate;
+    for (std::size_t i = 0; i < used.further_texcoords.size(); ++i)
+        used.further_texcoords[i] &= runs.given.further_texcoords[i];
     const FaceMaterials materials = face_materials(context);
     for (SealedRuns::Part& part : runs.parts)
         submit(context,
                make_draw(context, mesh_for(part, used),
-                         common_values(context, runs, part.assembly.vertices.front()), materials),
+                         common_values(context, runs, part.assembly.vertices.front()),
+                         common_further(context, runs, part), materials),
                played_calls(context, part));
     set_current(context.state.current, runs);
     return true;

@@ -8,6 +8,7 @@
 #include "gl/lists/display_list.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace gw::gl {
@@ -16,19 +17,22 @@ namespace gw::gl {
 struct GivenValues {
     bool color = false, normal = false, texcoord = false, edge_flag = false;
     bool secondary_color = false, fog_coordinate = false;
+    std::array<bool, texture_unit_count - 1> further_texcoords{};  ///< of units 1 to 3
     bool operator==(const GivenValues&) const = default;
 };
 
 struct SealedRuns {
     struct Part {
         Assembly assembly;
-        std::array<MeshRef, 32> meshes;  ///< by the values that they have
-        std::vector<CallRun> calls;      ///< numbers in the list; empty: they are not kept
+        /// by the values that they have
+        std::vector<std::pair<VertexValues, MeshRef>> meshes;
+        std::vector<CallRun> calls;  ///< numbers in the list; empty: they are not kept
     };
     std::vector<Part> parts;
     GivenValues given;        ///< all vertices have these; the others are the current ones
     GivenValues given_after;  ///< the runs leave these current, from `last`
     AssembledVertex last;
+    FurtherTexcoords last_further;
     bool has_line_strips = false;
 };
 

@@ -29,7 +29,8 @@ RasterPosition raster_position(const Context& context) {
             .distance = std::max(raster.distance, 0.0),
             .secondary_color =
                 quantize_color(vec4(raster.secondary_color, 0), context.profile.color_bits),
-            .fog_coordinate = raster.distance};
+            .fog_coordinate = raster.distance,
+            .more_texcoords = raster.further_texcoords};
 }
 
 /// A rectangle at the raster position, without its pixels.
@@ -41,6 +42,7 @@ gw::DrawPixels rectangle(Context& context, GLsizei width, GLsizei height) {
     out.zoom_x = context.state.pixel.zoom_x;
     out.zoom_y = context.state.pixel.zoom_y;
     out.map.texture = enabled_texture(context);
+    out.more_maps = further_textures(context);
     return out;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace gw::gl {
 
@@ -151,6 +152,58 @@ HostImage unpack(GLsizei width, GLsizei height, GLenum format, GLenum type, cons
             rows ? std::vector(rows->begin(), rows->end())
                  : copy_from_memory(store, width, height, format, type, pixels));
         return {*kept, std::move(kept)};
+    });
+}
+
+std::optional<PixelStore> slice_store(const PixelStore& store, GLsizei height, GLsizei slice) {
+    PixelStore out = store;
+    const std::int64_t rows = store.image_height > 0 ? store.image_height : height;
+    const std::int64_t skipped = store.skip_rows + (std::int64_t(store.skip_images) + slice) * rows;
+    if (skipped > std::numeric_limits<GLint>::max()) return std::nullopt;
+    out.skip_rows = GLint(skipped);
+    return out;
+}
+
+void copy_slices_to_memory(Context& context, const PixelStore& store, const ImageSize& size,
+                           bool has_slices, GLenum format, GLenum type, void* pixels,
+                           std::span<const std::byte> rows) {
+    const std::size_t bytes = row_bytes(size.width, format, type) * std::size_t(size.height);
+    // The last slice lies behind the others: if it is in a buffer, all are.
+    for (GLsizei slice = size.depth; slice-- > 0;) {
+        const auto of_slice = has_slices ? slice_store(store, size.height, slice) : store;
+        if (!of_slice) return set_error(context, GL_OUT_OF_MEMORY);
+        void* const memory =
+            image_memory(context, *of_slice, size.width, size.height, format, type, pixels);
+        if (memory == nullptr) return;
+        copy_to_memory(memory, *of_slice, size.width, size.height, format, type,
+                       rows.subspan(std::size_t(slice) * bytes, bytes));
+    }
+}
+
+HostImage unpack_volume(GLsizei width, GLsizei height, GLsizei depth, GLenum format, GLenum type,
+                        const GLvoid* pixels) {
+    Context* const context = bound_context();
+    if (context == nullptr || depth <= 0) return {};
+    for (const GLsizei side : {width, height, depth})
+        if (side <= 0 || side > max_volume_side + 2) return {};
+    const PixelStore& store = context->client.unpack;
+    if (format_error(format, type) != GL_NO_ERROR || (pixels == nullptr && !store.buffer))
+        return {};
+    const HostImage refused{.is_refused = true};
+    const auto lock = context->shared->exclusive();
+    return guarded(*context, [&]() -> HostImage {
+        auto kept = std::make_shared<std::vector<std::byte>>();
+        for (GLsizei slice = 0; slice < depth; ++slice) {
+            const auto of_slice = slice_store(store, height, slice);
+            if (!of_slice) return set_error(*context, GL_OUT_OF_MEMORY), refused;
+            const std::byte* const memory =
+                image_memory(*context, *of_slice, width, height, format, type, pixels);
+            if (memory == nullptr) return refused;
+            const std::vector<std::byte> rows =
+                copy_from_memory(*of_slice, width, height, format, type, memory);
+            kept->insert(kept->end(), rows.begin(), rows.end());
+        }
+        return {*kept, kept};
     });
 }
 

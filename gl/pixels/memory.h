@@ -27,6 +27,18 @@ std::byte* values_memory(Context& context, const PixelStore& store, std::size_t 
 /// copy_from_memory() gives them.
 std::optional<std::size_t> rows_in_memory(const PixelStore& store, GLsizei width, GLenum format,
                                           GLenum type);
+/// The layout of one slice of an image of three dimensions. [GL12] 3.6.4. None: it is beyond every
+/// memory.
+std::optional<PixelStore> slice_store(const PixelStore& store, GLsizei height, GLsizei slice);
+
+struct ImageSize {
+    GLsizei width, height, depth;
+};
+/// Packs the slices of a texture's image. `has_slices`: it has three dimensions.
+void copy_slices_to_memory(Context& context, const PixelStore& store, const ImageSize& size,
+                           bool has_slices, GLenum format, GLenum type, void* pixels,
+                           std::span<const std::byte> rows);
+
 /// Copies an image out of the caller's memory: rows without padding, the host's byte order, bitmaps
 /// with the highest bit first.
 std::vector<std::byte> copy_from_memory(const PixelStore& store, GLsizei width, GLsizei height,

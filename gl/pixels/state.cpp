@@ -69,6 +69,17 @@ Numbers map_values(GLenum map, GLsizei size, const GLushort* values) {
 namespace execute {
 
 void pixel_store(Context& context, GLenum pname, double param) {
+    const int value = rounded(param);
+    switch (pname) {
+        case GL_PACK_SKIP_IMAGES:
+            return set_store(context, context.client.pack.skip_images, value, value >= 0);
+        case GL_PACK_IMAGE_HEIGHT:
+            return set_store(context, context.client.pack.image_height, value, value >= 0);
+        case GL_UNPACK_SKIP_IMAGES:
+            return set_store(context, context.client.unpack.skip_images, value, value >= 0);
+        case GL_UNPACK_IMAGE_HEIGHT:
+            return set_store(context, context.client.unpack.image_height, value, value >= 0);
+    }
     if (pname >= GL_UNPACK_SWAP_BYTES && pname <= GL_UNPACK_ALIGNMENT)
         return set_store(context, context.client.unpack, pname, param);
     if (pname >= GL_PACK_SWAP_BYTES && pname <= GL_PACK_ALIGNMENT)

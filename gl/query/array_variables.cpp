@@ -33,9 +33,6 @@ void add_arrays(StateVariables& t) {
                                     GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING);
     add_array<Array::Index>(t, 0, GL_INDEX_ARRAY_TYPE, GL_INDEX_ARRAY_STRIDE,
                             GL_INDEX_ARRAY_BUFFER_BINDING);
-    add_array<Array::TexCoord>(t, GL_TEXTURE_COORD_ARRAY_SIZE, GL_TEXTURE_COORD_ARRAY_TYPE,
-                               GL_TEXTURE_COORD_ARRAY_STRIDE,
-                               GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING);
     add_array<Array::EdgeFlag>(t, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE,
                                GL_EDGE_FLAG_ARRAY_BUFFER_BINDING);
     t[GL_ARRAY_BUFFER_BINDING] = [](Context& context) {

@@ -22,6 +22,13 @@ void add_limits(StateVariables& t) {
     t[GL_MAX_TEXTURE_SIZE] = [](Context& context) {
         return whole(largest_texture(context.profile));
     };
+    t[GL_MAX_TEXTURE_UNITS] = [](Context& context) { return whole(unit_count(context.profile)); };
+    t[GL_MAX_3D_TEXTURE_SIZE] = [](Context& context) {
+        return whole(largest_texture(context.profile, three_dimensions));
+    };
+    t[GL_MAX_CUBE_MAP_TEXTURE_SIZE] = [](Context& context) {
+        return whole(largest_texture(context.profile, cube));
+    };
     t[GL_MAX_TEXTURE_LOD_BIAS] = [](Context&) { return number(max_lod_bias); };
     t[GL_NUM_COMPRESSED_TEXTURE_FORMATS] = [](Context&) {
         return whole(compressed_texture_formats.size());

@@ -26,9 +26,6 @@ void add_current(Table& t) {
     };
     t[GL_CURRENT_INDEX] = [](Context& context) { return number(context.state.current.index); };
     t[GL_CURRENT_NORMAL] = [](Context& context) { return units(context.state.current.normal); };
-    t[GL_CURRENT_TEXTURE_COORDS] = [](Context& context) {
-        return numbers_of(context.state.current.texcoord);
-    };
     t[GL_CURRENT_RASTER_POSITION] = [](Context& context) {
         return numbers_of(context.state.current.raster.position);
     };
@@ -40,9 +37,6 @@ void add_current(Table& t) {
     };
     t[GL_CURRENT_RASTER_INDEX] = [](Context& context) {
         return number(context.state.current.raster.index);
-    };
-    t[GL_CURRENT_RASTER_TEXTURE_COORDS] = [](Context& context) {
-        return numbers_of(context.state.current.raster.texcoord);
     };
     t[GL_CURRENT_RASTER_POSITION_VALID] = [](Context& context) {
         return whole(context.state.current.raster.valid);
@@ -57,26 +51,17 @@ void add_transform(Table& t) {
     t[GL_PROJECTION_MATRIX] = [](Context& context) {
         return numbers_of(context.matrices.projection.top());
     };
-    t[GL_TEXTURE_MATRIX] = [](Context& context) {
-        return numbers_of(context.matrices.texture.top());
-    };
     t[GL_TRANSPOSE_MODELVIEW_MATRIX] = [](Context& context) {
         return numbers_of(glm::transpose(context.matrices.modelview.top()));
     };
     t[GL_TRANSPOSE_PROJECTION_MATRIX] = [](Context& context) {
         return numbers_of(glm::transpose(context.matrices.projection.top()));
     };
-    t[GL_TRANSPOSE_TEXTURE_MATRIX] = [](Context& context) {
-        return numbers_of(glm::transpose(context.matrices.texture.top()));
-    };
     t[GL_MODELVIEW_STACK_DEPTH] = [](Context& context) {
         return whole(context.matrices.modelview.entries.size());
     };
     t[GL_PROJECTION_STACK_DEPTH] = [](Context& context) {
         return whole(context.matrices.projection.entries.size());
-    };
-    t[GL_TEXTURE_STACK_DEPTH] = [](Context& context) {
-        return whole(context.matrices.texture.entries.size());
     };
     t[GL_MATRIX_MODE] = [](Context& context) { return whole(context.state.transform.matrix_mode); };
     t[GL_CLIP_ORIGIN] = [](Context& context) { return whole(context.state.transform.clip_origin); };
@@ -147,15 +132,6 @@ void add_rasterization(Table& t) {
     };
 }
 
-void add_texture(Table& t) {
-    t[GL_TEXTURE_BINDING_1D] = [](Context& context) {
-        return whole(context.state.texture.bound[0]);
-    };
-    t[GL_TEXTURE_BINDING_2D] = [](Context& context) {
-        return whole(context.state.texture.bound[1]);
-    };
-}
-
 void add_fragments(Table& t) {
     t[GL_SCISSOR_BOX] = [](Context& context) { return wholes(context.state.scissor.box); };
     t[GL_ALPHA_TEST_FUNC] = [](Context& context) {
@@ -223,6 +199,12 @@ void add_fragments(Table& t) {
     };
     t[GL_STENCIL_CLEAR_VALUE] = [](Context& context) { return whole(context.state.stencil.clear); };
     t[GL_ACCUM_CLEAR_VALUE] = [](Context& context) { return units(context.state.accum.clear); };
+    t[GL_SAMPLE_COVERAGE_VALUE] = [](Context& context) {
+        return number(context.state.multisample.coverage_value);
+    };
+    t[GL_SAMPLE_COVERAGE_INVERT] = [](Context& context) {
+        return whole(context.state.multisample.coverage_invert);
+    };
 }
 
 template <class StoreOf>
@@ -233,6 +215,9 @@ void add_store(Table& t, GLenum first, StoreOf) {
     t[first + 3] = [](Context& context) { return whole(StoreOf()(context).skip_rows); };
     t[first + 4] = [](Context& context) { return whole(StoreOf()(context).skip_pixels); };
     t[first + 5] = [](Context& context) { return whole(StoreOf()(context).alignment); };
+    const GLenum images = first == GL_PACK_SWAP_BYTES ? GL_PACK_SKIP_IMAGES : GL_UNPACK_SKIP_IMAGES;
+    t[images] = [](Context& context) { return whole(StoreOf()(context).skip_images); };
+    t[images + 1] = [](Context& context) { return whole(StoreOf()(context).image_height); };
 }
 
 template <int map>
@@ -341,7 +326,7 @@ Table make_variables() {
     add_transform(t);
     add_lighting(t);
     add_rasterization(t);
-    add_texture(t);
+    add_texture_units(t);
     add_fragments(t);
     add_pixels(t);
     add_evaluators(t);
@@ -356,7 +341,7 @@ Table make_variables() {
 std::optional<QueryValues> state_variable(Context& context, GLenum pname) {
     static const Table& table = leaked_static(make_variables());
     if (const auto found = table.find(pname); found != table.end()) return found->second(context);
-    if (const Capability* capability = find_capability(pname))
+    if (const Capability* capability = find_capability(context.profile, pname))
         return whole(is_enabled(context.state, *capability));
     if (const ClientArray* array = find_array(context.client, pname)) return whole(array->enable);
     return std::nullopt;

@@ -1,5 +1,7 @@
 #include "gl/state/capabilities.h"
 
+#include "gl/state/texture_objects.h"
+
 #include "gw/base/leaked_static.h"
 
 #include <algorithm>
@@ -34,18 +36,36 @@ std::vector<Capability> make_capabilities() {
         {GL_COLOR_LOGIC_OP, [](State& s, int) -> bool& { return s.color_buffer.logic_op; }},
         {GL_INDEX_LOGIC_OP, [](State& s, int) -> bool& { return s.color_buffer.index_logic_op; }},
         {GL_SCISSOR_TEST, [](State& s, int) -> bool& { return s.scissor.test; }},
-        {GL_AUTO_NORMAL, [](State& s, int) -> bool& { return s.eval.auto_normal; }}};
+        {GL_AUTO_NORMAL, [](State& s, int) -> bool& { return s.eval.auto_normal; }},
+        {GL_MULTISAMPLE, [](State& s, int) -> bool& { return s.multisample.multisample; }},
+        {GL_SAMPLE_ALPHA_TO_COVERAGE,
+         [](State& s, int) -> bool& { return s.multisample.alpha_to_coverage; }},
+        {GL_SAMPLE_ALPHA_TO_ONE, [](State& s, int) -> bool& { return s.multisample.alpha_to_one; }},
+        {GL_SAMPLE_COVERAGE, [](State& s, int) -> bool& { return s.multisample.coverage; }},
+        {GL_TEXTURE_CUBE_MAP_SEAMLESS, [](State& s, int) -> bool& { return s.texture.seamless; }, 0,
+         &Extensions::texture_seamless}};
     const auto add = [&](GLenum first, int count, bool& (*field)(State&, int)) {
         for (int i = 0; i < count; ++i) table.push_back({first + GLenum(i), field, i});
+    };
+    const auto add_of_unit = [&](GLenum name, int i, bool& (*field)(State&, int),
+                                 bool Extensions::*feature = nullptr) {
+        table.push_back({name, field, i, feature, true});
     };
     add(GL_LIGHT0, light_count,
         [](State& s, int i) -> bool& { return s.lighting.lights[std::size_t(i)].enable; });
     add(GL_CLIP_PLANE0, 6,
         [](State& s, int i) -> bool& { return s.transform.clip_enable[std::size_t(i)]; });
-    add(GL_TEXTURE_1D, texture_target_count,
-        [](State& s, int i) -> bool& { return s.texture.enable[std::size_t(i)]; });
-    add(GL_TEXTURE_GEN_S, 4,
-        [](State& s, int i) -> bool& { return s.texture.gen[std::size_t(i)].enable; });
+    for (int i = 0; i < int(texture_target_count); ++i)
+        add_of_unit(
+            texture_targets[std::size_t(i)], i,
+            [](State& s, int target) -> bool& {
+                return s.texture.unit().enable[std::size_t(target)];
+            },
+            texture_target_features[std::size_t(i)]);
+    for (int i = 0; i < 4; ++i)
+        add_of_unit(GL_TEXTURE_GEN_S + GLenum(i), i, [](State& s, int coordinate) -> bool& {
+            return s.texture.unit().gen[std::size_t(coordinate)].enable;
+        });
     add(GL_MAP1_COLOR_4, map_count,
         [](State& s, int i) -> bool& { return s.eval.map1[std::size_t(i)]; });
     add(GL_MAP2_COLOR_4, map_count,
@@ -61,10 +81,11 @@ std::span<const Capability> capabilities() {
     return table;
 }
 
-const Capability* find_capability(GLenum name) {
+const Capability* find_capability(const Profile& profile, GLenum name) {
     const auto table = capabilities();
     const auto found = std::ranges::lower_bound(table, name, {}, &Capability::name);
-    return found != table.end() && found->name == name ? &*found : nullptr;
+    if (found == table.end() || found->name != name) return nullptr;
+    return found->feature == nullptr || profile.extensions.*found->feature ? &*found : nullptr;
 }
 
 }  // namespace gw::gl

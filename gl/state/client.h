@@ -15,14 +15,18 @@ struct PixelStore {
     bool swap_bytes = false, lsb_first = false;
     GLint row_length = 0;  ///< pixels; 0: the width
     GLint skip_rows = 0, skip_pixels = 0;
-    GLint alignment = 4;  ///< of rows: 1, 2, 4, 8 bytes
-    BufferRef buffer;     ///< in which pointers to pixels are offsets; null: none
+    GLint alignment = 4;                      ///< of rows: 1, 2, 4, 8 bytes
+    GLint image_height = 0, skip_images = 0;  ///< of three dimensions: rows; 0: the height
+    BufferRef buffer;  ///< in which pointers to pixels are offsets; null: none
 };
 
 /// The arrays, in the order in which ArrayElement sends their values: the vertex last.
 enum class Array : unsigned char {
     EdgeFlag,
-    TexCoord,
+    TexCoord,  ///< of unit 0
+    TexCoord1,
+    TexCoord2,
+    TexCoord3,
     Color,
     SecondaryColor,
     FogCoordinate,
@@ -30,7 +34,11 @@ enum class Array : unsigned char {
     Normal,
     Vertex
 };
-inline constexpr std::size_t array_count = 8;
+inline constexpr std::size_t array_count = 11;
+/// The texture coordinates of a unit.
+constexpr Array texcoord_array(std::size_t unit) {
+    return Array(std::size_t(Array::TexCoord) + unit);
+}
 
 /// One vertex array, in the caller's memory or in a buffer.
 struct ClientArray {
@@ -51,13 +59,17 @@ struct ClientState {
     std::array<ClientArray, array_count> arrays{{{.size = 1, .type = GL_UNSIGNED_BYTE},
                                                  {},
                                                  {},
+                                                 {},
+                                                 {},
+                                                 {},
                                                  {.size = 3},
                                                  {.size = 1},
                                                  {.size = 1},
                                                  {.size = 3},
                                                  {}}};
-    BufferRef array_buffer;    ///< of the arrays that are set next
-    BufferRef element_buffer;  ///< of indices
+    std::size_t active_unit = 0;  ///< that TexCoordPointer and its switch are about
+    BufferRef array_buffer;       ///< of the arrays that are set next
+    BufferRef element_buffer;     ///< of indices
     PixelStore pack, unpack;
 
     ClientArray& array(Array a) { return arrays[std::size_t(a)]; }
@@ -68,7 +80,7 @@ struct ClientState {
 inline ClientArray* find_array(ClientState& client, GLenum name) {
     switch (name) {
         case GL_EDGE_FLAG_ARRAY: return &client.array(Array::EdgeFlag);
-        case GL_TEXTURE_COORD_ARRAY: return &client.array(Array::TexCoord);
+        case GL_TEXTURE_COORD_ARRAY: return &client.array(texcoord_array(client.active_unit));
         case GL_COLOR_ARRAY: return &client.array(Array::Color);
         case GL_SECONDARY_COLOR_ARRAY: return &client.array(Array::SecondaryColor);
         case GL_FOG_COORDINATE_ARRAY: return &client.array(Array::FogCoordinate);

@@ -1,8 +1,9 @@
-// The three matrix stacks. [GL11] 2.10.2. The elements are floats, in double for the arithmetic.
+// The matrix stacks. [GL11] 2.10.2; each texture unit has one. The elements are floats, in double for the arithmetic.
 #pragma once
 
 #include "gl/state/state.h"
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -28,10 +29,15 @@ struct MatrixStack {
 
 struct Matrices {
     MatrixStack modelview{modelview_stack_depth}, projection{projection_stack_depth};
-    MatrixStack texture{texture_stack_depth};
+    std::array<MatrixStack, texture_unit_count> texture{
+        MatrixStack(texture_stack_depth), MatrixStack(texture_stack_depth),
+        MatrixStack(texture_stack_depth), MatrixStack(texture_stack_depth)};
     /// The stack that MatrixMode chose.
-    MatrixStack& current(GLenum mode) {
-        return mode == GL_PROJECTION ? projection : mode == GL_TEXTURE ? texture : modelview;
+    MatrixStack& current(const State& s) {
+        const GLenum mode = s.transform.matrix_mode;
+        return mode == GL_PROJECTION ? projection
+               : mode == GL_TEXTURE  ? texture[s.texture.active]
+                                     : modelview;
     }
 };
 

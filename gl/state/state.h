@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,8 +16,14 @@
 namespace gw::gl {
 
 inline constexpr int light_count = 8;
+inline constexpr std::size_t texture_unit_count = 4;
 inline constexpr int texture_stack_depth = 10, modelview_stack_depth = 32;
 inline constexpr int projection_stack_depth = 10;
+
+/// Texture coordinates s, t, r, q of units 1 to 3.
+using FurtherTexcoords = std::array<vec4, texture_unit_count - 1>;
+inline constexpr FurtherTexcoords initial_further_texcoords{vec4(0, 0, 0, 1), vec4(0, 0, 0, 1),
+                                                            vec4(0, 0, 0, 1)};
 
 /// GL_CURRENT_BIT. [GL11] table 6.5
 struct CurrentState {
@@ -26,6 +33,7 @@ struct CurrentState {
     float index = 1;
     vec3 normal{0, 0, 1};
     vec4 texcoord{0, 0, 0, 1};  ///< s, t, r, q
+    FurtherTexcoords further_texcoords = initial_further_texcoords;
     bool edge_flag = true;
     struct Raster {
         dvec4 position{0, 0, 0, 1};  ///< window coordinates; w is the clip coordinate
@@ -34,6 +42,7 @@ struct CurrentState {
         vec3 secondary_color{0, 0, 0};
         float index = 1;
         vec4 texcoord{0, 0, 0, 1};
+        FurtherTexcoords further_texcoords = initial_further_texcoords;
         bool valid = true;
         bool operator==(const Raster&) const = default;
     } raster;
@@ -232,12 +241,15 @@ struct TexGenState {
 /// The parameters of a texture object. [GL11] table 6.13
 struct TextureParameters {
     GLenum min_filter = GL_NEAREST_MIPMAP_LINEAR, mag_filter = GL_LINEAR;
-    GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT;
+    GLenum wrap_s = GL_REPEAT, wrap_t = GL_REPEAT, wrap_r = GL_REPEAT;
     vec4 border_color{0, 0, 0, 0};
     float priority = 1;
     float min_lod = -1000, max_lod = 1000, lod_bias = 0;
     int base_level = 0, max_level = 1000;
     bool generate_mipmap = false;
+    GLenum depth_mode =
+        GL_LUMINANCE;  ///< of depths: the format of what they or their comparison give
+    GLenum compare_mode = GL_NONE, compare_func = GL_LEQUAL;
     bool operator==(const TextureParameters&) const = default;
 };
 /// GL_COMBINE's function of colours or of alpha. [GL13] 3.8.12
@@ -248,10 +260,12 @@ struct CombineState {
 };
 /// Levels of detail are moved by at most so many.
 inline constexpr float max_lod_bias = 16;
-/// The texture targets: GL_TEXTURE_1D, GL_TEXTURE_2D.
-inline constexpr int texture_target_count = 2;
-/// GL_TEXTURE_BIT. PushAttrib also keeps the parameters of the bound textures.
-struct TextureState {
+/// The texture targets by their precedence, the last first.
+inline constexpr std::array<GLenum, 4> texture_targets{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D,
+                                                       GL_TEXTURE_CUBE_MAP};
+inline constexpr std::size_t texture_target_count = texture_targets.size();
+/// One texture unit. [GL13] table 6.17
+struct TextureUnit {
     std::array<bool, texture_target_count> enable{};
     std::array<GLuint, texture_target_count> bound{};
     GLenum env_mode = GL_MODULATE;
@@ -262,6 +276,31 @@ struct TextureState {
     std::array<TexGenState, 4> gen{///< of s, t, r, q
                                    {{.object_plane = {1, 0, 0, 0}, .eye_plane = {1, 0, 0, 0}},
                                     {.object_plane = {0, 1, 0, 0}, .eye_plane = {0, 1, 0, 0}}}};
+
+    bool is_enabled() const { return enable[0] || enable[1] || enable[2] || enable[3]; }
+    bool generates() const {
+        return gen[0].enable || gen[1].enable || gen[2].enable || gen[3].enable;
+    }
+};
+/// GL_TEXTURE_BIT. PushAttrib also keeps the parameters of the bound textures.
+struct TextureState {
+    std::size_t active = 0;  ///< the unit that calls and queries are about
+    std::array<TextureUnit, texture_unit_count> units;
+    bool seamless = false;  ///< cubes are filtered over their edges
+
+    TextureUnit& unit() { return units[active]; }
+    const TextureUnit& unit() const { return units[active]; }
+    /// Whether a unit beside the first has a texture.
+    bool uses_further_units() const {
+        return units[1].is_enabled() || units[2].is_enabled() || units[3].is_enabled();
+    }
+};
+
+/// GL_MULTISAMPLE_BIT. No drawable has samples: it has no effect.
+struct MultisampleState {
+    bool multisample = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
+    float coverage_value = 1;
+    bool coverage_invert = false;
 };
 
 /// GL_SCISSOR_BIT
@@ -291,6 +330,7 @@ struct State {
     ListState list;
     TextureState texture;
     ScissorState scissor;
+    MultisampleState multisample;
 };
 
 }  // namespace gw::gl

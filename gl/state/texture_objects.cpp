@@ -1,6 +1,9 @@
 #include "gl/state/texture_objects.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <utility>
 
 namespace gw::gl {
 
@@ -10,80 +13,158 @@ bool uses_levels(const TextureParameters& p) {
     return p.min_filter != GL_NEAREST && p.min_filter != GL_LINEAR;
 }
 
+/// The inner size of an image on a level.
+struct Extent {
+    int width, height, depth;
+    bool operator==(const Extent&) const = default;
+    bool has_next() const { return width > 1 || height > 1 || depth > 1; }
+    Extent next() const {
+        return {std::max(1, width / 2), std::max(1, height / 2), std::max(1, depth / 2)};
+    }
+};
+Extent inner(const TextureImage& image, std::size_t target) {
+    const int both = 2 * image.border;
+    return {image.width - both, target == one_dimension ? 1 : image.height - both,
+            target == three_dimensions ? image.depth - both : 1};
+}
+
+/// Whether all faces of a level have this size, and the format of the first image.
+bool fits(TextureObject& object, std::size_t target, std::size_t level, const Extent& size) {
+    const TextureImage& first = object.base();
+    for (std::size_t face = 0; face <= object.further_faces.size(); ++face) {
+        const TextureImage& image = object.image({face, level});
+        if (image.internal_format != first.internal_format || image.border != first.border ||
+            image.width == 0 || inner(image, target) != size)
+            return false;
+    }
+    return true;
+}
+
 /// How many levels there are from the base level on, down to one texel or to the last level that may
-/// be used, if all fit each other; else 0. [GL12] 3.8.8
-int complete_levels(const TextureObject& object) {
+/// be used, if all fit each other; else 0. [GL12] 3.8.8, [GL13] 3.8.10
+int complete_levels(TextureObject& object, std::size_t target) {
     const TextureImage& first = object.base();
     const auto& [base, last] = std::pair(object.parameters.base_level, object.parameters.max_level);
     if (base > last || base >= level_count || first.width == 0) return 0;
-    int width = first.width - 2 * first.border, height = first.height - 2 * first.border;
-    if (first.height == 1) height = 1;  // one dimension
+    Extent size = inner(first, target);
     int count = 1;
-    for (; (width > 1 || height > 1) && base + count <= last; ++count) {
-        width = std::max(1, width / 2);
-        height = std::max(1, height / 2);
+    for (; size.has_next() && base + count <= last; ++count) {
+        size = size.next();
         if (base + count >= level_count) return 0;
-        const TextureImage& image = object.levels[std::size_t(base + count)];
-        const bool flat = first.height == 1;
-        if (image.internal_format != first.internal_format || image.border != first.border ||
-            image.width != width + 2 * image.border ||
-            image.height != (flat ? 1 : height + 2 * image.border))
-            return 0;
+        if (!fits(object, target, std::size_t(base + count), size)) return 0;
     }
     return count;
 }
 
+/// Whether the base level can be drawn: of a cube six equal squares.
+bool has_base(TextureObject& object, std::size_t target) {
+    const TextureImage& first = object.base();
+    if (first.width == 0) return false;
+    if (target != cube) return true;
+    return first.width == first.height &&
+           fits(object, target, object.base_level(), inner(first, target));
+}
+
+void warn_of_border(const TextureImage& image) {
+    static std::atomic_flag warned;
+    if (warned.test_and_set()) return;
+    std::fprintf(stderr,
+                 "gw: warning: texture image of %d x %d x %d texels: the machine draws three "
+                 "dimensions, cubes and depths without a border; it is left out\n",
+                 image.width, image.height, image.depth);
+}
+
+/// The texels without the border.
+std::vector<std::uint16_t> inner_texels(const TextureImage& image, std::size_t target) {
+    const Extent size = inner(image, target);
+    const int left = image.border, bottom = target == one_dimension ? 0 : image.border;
+    const int first = target == three_dimensions ? image.border : 0;
+    std::vector<std::uint16_t> out;
+    for (int z = first; z < first + size.depth; ++z)
+        for (int y = bottom; y < bottom + size.height; ++y) {
+            const std::uint16_t* const row =
+                &image.texels[4 * pixel_index(left, z * image.height + y, image.width)];
+            out.insert(out.end(), row, row + 4 * size.width);
+        }
+    return out;
+}
+
 /// For profiles with RGBA textures only: the first level without its border, its levels made by the
 /// machine.
-TextureRef plain_texture(const TextureImage& image) {
-    const int border = image.border, width = image.width - 2 * border;
-    const int height = image.height == 1 ? 1 : image.height - 2 * border;
-    const int bottom = image.height == 1 ? 0 : border;
-    std::vector<std::uint16_t> rgba;
-    for (int y = 0; y < height; ++y) {
-        const std::uint16_t* const row =
-            &image.texels[4 * pixel_index(border, y + bottom, image.width)];
-        rgba.insert(rgba.end(), row, row + 4 * width);
+TextureRef plain_texture(const TextureImage& image, std::size_t target) {
+    const Extent size = inner(image, target);
+    return make_texture("", size.width, size.height, inner_texels(image, target));
+}
+
+/// The format of what is looked up.
+TextureFormat format_of(const TextureObject& object) {
+    if (!is_depths(object.base().internal_format))
+        return machine_format(object.base().internal_format);
+    return machine_format(GLint(object.parameters.depth_mode));
+}
+
+/// One level of the machine's texture: of a cube its faces one after the other.
+TextureLevel machine_level(TextureObject& object, std::size_t target, std::size_t level,
+                           bool has_border) {
+    const TextureImage& first = object.levels[level];
+    const Extent size = inner(first, target);
+    const bool strips = first.border != 0 && !has_border;
+    const int layers = target == cube ? 6 : size.depth;
+    if (!strips && target != cube) return {size.width, size.height, first.texels, layers};
+    std::vector<std::uint16_t> all;
+    for (std::size_t face = 0; face <= object.further_faces.size(); ++face) {
+        const std::vector<std::uint16_t> texels = inner_texels(object.image({face, level}), target);
+        all.insert(all.end(), texels.begin(), texels.end());
     }
-    return make_texture("", width, height, rgba);
+    return {size.width, size.height, std::move(all), layers};
 }
 
 /// All levels if they fit each other; else the first one, for the filters that use no others.
 void make(TextureObject& object, std::size_t target, const Profile& profile) {
     const TextureImage& first = object.base();
-    const int count = complete_levels(object);
+    const int count = complete_levels(object, target);
     object.made_with_levels = count > 0;
-    object.made_base = std::min(object.parameters.base_level, level_count - 1);
+    object.made_base = int(object.base_level());
     if (!profile.extensions.texture_formats ||
         (first.border && !profile.extensions.texture_border)) {
-        object.made = plain_texture(first);
+        object.made = plain_texture(first, target);
         return;
     }
-    if (object.history.is_empty()) object.history = TextureHistory::begin();
-    Texture texture{.format = machine_format(first.internal_format),
-                    .dimensions = target == 0 ? 1 : 2,
-                    .border = first.border != 0,
+    Texture texture{.format = format_of(object),
+                    .dimensions = target == one_dimension      ? 1
+                                  : target == three_dimensions ? 3
+                                                               : 2,
                     .srgb = is_srgb(first.internal_format),
-                    .history = object.history};
-    for (int level = 0; level < std::max(1, count); ++level) {
-        const TextureImage& image = object.levels[std::size_t(object.made_base + level)];
-        const int rows = target == 0 ? 1 : image.height - 2 * image.border;
-        texture.levels.push_back({image.width - 2 * image.border, rows, image.texels});
-    }
+                    .cube = target == cube,
+                    .depths = is_depths(first.internal_format)};
+    texture.border = first.border != 0 && !needs_r(texture);
+    if (first.border != 0 && !texture.border) warn_of_border(first);
+    if (object.history.is_empty()) object.history = TextureHistory::begin();
+    texture.history = object.history;
+    for (int level = 0; level < std::max(1, count); ++level)
+        texture.levels.push_back(
+            machine_level(object, target, std::size_t(object.made_base + level), texture.border));
     object.made = share_texture(std::move(texture));
 }
 
 }  // namespace
 
-std::optional<std::size_t> target_index(GLenum target) {
-    if (target == GL_TEXTURE_1D) return 0;
-    if (target == GL_TEXTURE_2D) return 1;
+std::optional<std::size_t> target_index(const Profile& profile, GLenum target) {
+    for (std::size_t i = 0; i < texture_target_count; ++i)
+        if (texture_targets[i] == target && has_target(profile, i)) return i;
     return std::nullopt;
 }
 
+std::shared_ptr<TextureObject> new_texture(std::size_t target) {
+    auto object = std::make_shared<TextureObject>();
+    if (target == cube) object->further_faces.resize(5);
+    return object;
+}
+
 BoundTextures::BoundTextures() {
-    for (auto& object : initial) object = std::make_shared<TextureObject>();
-    bound = initial;
+    for (std::size_t target = 0; target < texture_target_count; ++target)
+        initial[target] = new_texture(target);
+    bound.fill(initial);
 }
 
 GLenum base_format(GLint internal_format) {
@@ -156,6 +237,10 @@ GLenum base_format(GLint internal_format) {
         case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT:
         case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT:
         case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT: return GL_RGBA;
+        case GL_DEPTH_COMPONENT:
+        case GL_DEPTH_COMPONENT16:
+        case GL_DEPTH_COMPONENT24:
+        case GL_DEPTH_COMPONENT32: return GL_DEPTH_COMPONENT;
     }
     return 0;
 }
@@ -175,62 +260,105 @@ TextureFormat machine_format(GLint internal_format) {
     return TextureFormat::RGBA;
 }
 
-void TextureObject::set_image(std::size_t level, TextureImage image) {
-    new_bytes += image.texels.size() * sizeof(std::uint16_t);
-    levels[level] = std::move(image);
+void TextureObject::set_image(const ImageKey& key, TextureImage given) {
+    new_bytes += given.texels.size() * sizeof(std::uint16_t);
+    image(key) = std::move(given);
     history = {};
     changed = true;
 }
 
-bool TextureObject::is_alone(std::size_t level) const {
-    return made ? gw::is_alone(made) : levels[level].texels.is_alone();
+void TextureObject::set_parameters(const TextureParameters& all) {
+    const TextureParameters before = std::exchange(parameters, all);
+    if (before.base_level == all.base_level && before.max_level == all.max_level &&
+        before.depth_mode == all.depth_mode)
+        return;
+    history = {};  // other levels, or another format
+    changed = true;
 }
 
-void TextureObject::replace_part(std::size_t level, const Rect& rect,
+bool TextureObject::is_alone(const ImageKey& key) {
+    return made && further_faces.empty() ? gw::is_alone(made) : image(key).texels.is_alone();
+}
+
+void TextureObject::replace_part(const ImageKey& key, const TexelBox& box,
                                  std::span<const Rgba> colors) {
     const int made_count = made ? int(made->levels.size()) : level_count;
     made = nullptr;
-    TextureImage& image = levels[level];
-    if (!image.texels.is_alone()) new_bytes += image.texels.size() * sizeof(std::uint16_t);
-    std::vector<std::uint16_t>& texels = image.texels.edit();
+    TextureImage& in = image(key);
+    if (!in.texels.is_alone()) new_bytes += in.texels.size() * sizeof(std::uint16_t);
+    std::vector<std::uint16_t>& texels = in.texels.edit();
     const Rgba* from = colors.data();
-    for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width) {
-        const std::span to(&texels[4 * pixel_index(rect.x, y, image.width)],
-                           4 * std::size_t(rect.width));
-        std::copy_n(from->data(), to.size(), to.data());
-        complete(machine_format(image.internal_format), to);
-    }
-    image.blocks = nullptr;
-    const int made_level = int(level) - made_base;
+    const Rect& rect = box.rect;
+    for (int z = box.slice; z < box.slice + box.slices; ++z)
+        for (int y = rect.y; y < rect.y + rect.height; ++y, from += rect.width) {
+            const std::span to(&texels[4 * pixel_index(rect.x, z * in.height + y, in.width)],
+                               4 * std::size_t(rect.width));
+            std::copy_n(from->data(), to.size(), to.data());
+            complete(machine_format(in.internal_format), to);
+        }
+    in.blocks = nullptr;
+    const int made_level = int(key.level) - made_base;
     const bool is_made = made_level >= 0 && made_level < made_count;
-    if (!history.is_empty() && is_made) history.replace({made_level, rect});
+    if (!further_faces.empty() || in.depth > 1 || is_depths(in.internal_format))
+        history = {};  // parts of such textures are not told
+    else if (!history.is_empty() && is_made)
+        history.replace({made_level, rect});
     changed = true;
 }
 
-void TextureObject::set_level(int TextureParameters::*which, int level) {
-    parameters.*which = level;
-    history = {};
-    changed = true;
+namespace {
+
+/// The next level of depths: means of four.
+TextureLevel next_depths(const TextureLevel& level) {
+    TextureLevel out{std::max(1, level.width / 2), std::max(1, level.height / 2), {}};
+    const auto depth = [&](int x, int y) {
+        const std::size_t at = 4 * pixel_index(std::min(x, level.width - 1),
+                                               std::min(y, level.height - 1), level.width);
+        return std::uint64_t(level.rgba[at]) << 16 | level.rgba[at + 1];
+    };
+    std::vector<std::uint16_t>& texels = out.rgba.edit();
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x) {
+            const std::uint64_t sum = depth(2 * x, 2 * y) + depth(2 * x + 1, 2 * y) +
+                                      depth(2 * x, 2 * y + 1) + depth(2 * x + 1, 2 * y + 1);
+            const Rgba texel = depth_texel(std::uint32_t((sum + 2) / 4));
+            texels.insert(texels.end(), texel.begin(), texel.end());
+        }
+    return out;
 }
 
-void TextureObject::generate_levels() {
-    const TextureImage first = base();
+/// The levels after an image, of one face.
+std::vector<TextureLevel> levels_after(const TextureImage& image) {
+    std::vector<TextureLevel> out;
+    if (image.depth == 1 && !is_depths(image.internal_format)) {
+        const TextureRef whole = make_whole_texture("", image.width, image.height, *image.texels);
+        return {whole->levels.begin() + 1, whole->levels.end()};
+    }
+    TextureLevel level{image.width, image.height, image.texels, image.depth};
+    while (level.width > 1 || level.height > 1 || level.layers > 1) {
+        level = is_depths(image.internal_format) ? next_depths(level) : next_level(level, 3);
+        out.push_back(level);
+    }
+    return out;
+}
+
+}  // namespace
+
+void TextureObject::generate_levels(std::size_t face) {
+    const TextureImage first = image({face, base_level()});
     if (first.width == 0 || first.border != 0) return;
-    const TextureRef whole = make_whole_texture("", first.width, first.height, *first.texels,
-                                                is_srgb(first.internal_format));
-    for (std::size_t i = 1; i < whole->levels.size(); ++i) {
-        const int level = parameters.base_level + int(i);
-        if (level >= level_count || level > parameters.max_level) return;
-        const TextureLevel& made_level = whole->levels[i];
-        set_image(std::size_t(level), {made_level.width, made_level.height, 0,
-                                       first.internal_format, made_level.rgba, nullptr});
+    int level = parameters.base_level;
+    for (const TextureLevel& next : levels_after(first)) {
+        if (++level >= level_count || level > parameters.max_level) return;
+        set_image({face, std::size_t(level)}, {next.width, next.height, 0, first.internal_format,
+                                               next.rgba, nullptr, next.layers});
     }
 }
 
 TextureRef machine_texture(TextureObject& object, std::size_t target, const Profile& profile) {
     if (object.changed) {
         object.made = nullptr;
-        if (object.base().width > 0) make(object, target, profile);
+        if (has_base(object, target)) make(object, target, profile);
         object.changed = false;
     }
     return object.made_with_levels || !uses_levels(object.parameters) ? object.made : nullptr;

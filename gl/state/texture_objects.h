@@ -17,12 +17,22 @@ namespace gw::gl {
 
 /// max_texture_side = 2^13.
 inline constexpr int level_count = 14;
+/// The indices of texture_targets.
+inline constexpr std::size_t one_dimension = 0, two_dimensions = 1, three_dimensions = 2, cube = 3;
+/// What a profile needs for each target; null: nothing.
+inline constexpr std::array<bool Extensions::*, texture_target_count> texture_target_features{
+    nullptr, nullptr, &Extensions::texture_3d, &Extensions::texture_cube};
+constexpr bool has_target(const Profile& p, std::size_t target) {
+    const auto feature = texture_target_features[target];
+    return feature == nullptr || p.extensions.*feature;
+}
 /// The largest side of a profile's textures.
-constexpr int largest_texture(const Profile& p) {
+constexpr int largest_texture(const Profile& p, std::size_t target = two_dimensions) {
+    if (target == three_dimensions) return max_volume_side;
     return p.extensions.texture_sizes ? max_texture_side : max_texture_size;
 }
 
-/// One level's image. Channels that the base format lacks are those of complete().
+/// One level's image, of a cube one face's. Channels that the base format lacks are those of complete().
 struct TextureImage {
     int width = 0, height = 0;  ///< with the border; 0: no image
     int border = 0;
@@ -30,13 +40,29 @@ struct TextureImage {
     TexelValues texels;         ///< 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first
     /// As they were given compressed; null: they were not, or a part was replaced since.
     std::shared_ptr<const std::vector<std::byte>> blocks;
+    int depth = 1;  ///< slices, with the border
+};
+using TextureImages = std::array<TextureImage, level_count>;
+
+/// The place of an image in its object.
+struct ImageKey {
+    std::size_t face = 0;  ///< of a cube; else 0
+    std::size_t level = 0;
+};
+
+/// Some texels of an image: a rectangle in each of some slices.
+struct TexelBox {
+    Rect rect;
+    int slice = 0, slices = 1;
+    std::size_t size() const { return rect.area() * std::size_t(slices); }
 };
 
 /// The machine's textures share the images' texels. So they are changed in place as long as no
 /// frame draws with them.
 struct TextureObject {
     TextureParameters parameters;
-    std::array<TextureImage, level_count> levels;
+    TextureImages levels;                      ///< of a cube: of the face +x
+    std::vector<TextureImages> further_faces;  ///< of a cube: -x, +y, -y, +z, -z; else none
     TextureHistory history;         ///< of `made`; parts of images that change belong to it
     bool changed = true;            ///< an image, since `made`
     bool made_with_levels = false;  ///< `made` has all levels, for filters that use them
@@ -44,23 +70,29 @@ struct TextureObject {
     int made_base = 0;              ///< the level that is its first
     std::size_t new_bytes = 0;      ///< of texels that were stored beside those that frames keep
 
-    void set_image(std::size_t level, TextureImage image);
-    /// Sets base_level or max_level: other levels belong to `made`.
-    void set_level(int TextureParameters::*which, int level);
-    /// The image of the base level.
-    const TextureImage& base() const {
-        return levels[std::size_t(std::min(parameters.base_level, level_count - 1))];
+    TextureImage& image(const ImageKey& key) {
+        return key.face == 0 ? levels[key.level] : further_faces[key.face - 1][key.level];
     }
-    /// Makes the levels after the base level of it. [GL14] 3.8.8
-    void generate_levels();
-    /// Whether a part of a level can be replaced where it is: nobody else has the texels.
-    bool is_alone(std::size_t level) const;
-    /// `colors` are those of a rectangle, which counts from the border.
-    void replace_part(std::size_t level, const Rect& rect, std::span<const Rgba> colors);
+    void set_image(const ImageKey& key, TextureImage image);
+    void set_parameters(const TextureParameters& all);
+    /// The number of the base level's image.
+    std::size_t base_level() const {
+        return std::size_t(std::min(parameters.base_level, level_count - 1));
+    }
+    const TextureImage& base() const { return levels[base_level()]; }
+    /// Makes the levels after the base level of it, of one face. [GL14] 3.8.8
+    void generate_levels(std::size_t face);
+    /// Whether a part of an image can be replaced where it is: nobody else has the texels.
+    bool is_alone(const ImageKey& key);
+    /// `colors` are those of a box, which counts from the border.
+    void replace_part(const ImageKey& key, const TexelBox& box, std::span<const Rgba> colors);
 };
 
-/// The index of a target: GL_TEXTURE_1D 0, GL_TEXTURE_2D 1.
-std::optional<std::size_t> target_index(GLenum target);
+/// Makes the object one of this target, when it is bound first.
+std::shared_ptr<TextureObject> new_texture(std::size_t target);
+
+/// The index of a target; none: the profile has no such target.
+std::optional<std::size_t> target_index(const Profile& profile, GLenum target);
 
 /// The names of textures, and the objects. Contexts may share them. Name 0 has an object for each
 /// target, of each context's own.
@@ -72,14 +104,23 @@ struct TextureNames {
     std::map<GLuint, Named> named;
 };
 
+/// The target whose texture a unit has; none: it has none. [GL13] 3.8.15
+inline std::optional<std::size_t> enabled_target(const TextureUnit& unit) {
+    for (std::size_t target = texture_target_count; target-- > 0;)
+        if (unit.enable[target]) return target;
+    return std::nullopt;
+}
+
 /// The texture units of a context: the bound objects, and the images of the proxy targets.
 struct BoundTextures {
     BoundTextures();
-    std::array<std::shared_ptr<TextureObject>, texture_target_count> initial, bound;
-    std::array<std::array<TextureImage, level_count>, texture_target_count> proxy;
+    using Objects = std::array<std::shared_ptr<TextureObject>, texture_target_count>;
+    Objects initial;
+    std::array<Objects, texture_unit_count> bound;
+    std::array<TextureImages, texture_target_count> proxy;
 };
 
-/// The base format's number 1 to 4, or name, of an internal format; 0: there is none. [GL11] table
+/// The base format of an internal format; 0: there is none. [GL11] table
 /// 3.16
 GLenum base_format(GLint internal_format);
 
@@ -91,7 +132,16 @@ inline constexpr std::array<GLenum, 3> compressed_texture_formats{GL_COMPRESSED_
 /// Whether R, G, B of an internal format are encoded as in sRGB.
 bool is_srgb(GLint internal_format);
 
-/// The channels that texels of an internal format have.
+/// Whether texels of an internal format are depths: R is the high half of 32 bits, G the low one.
+inline bool is_depths(GLint internal_format) {
+    return base_format(internal_format) == GL_DEPTH_COMPONENT;
+}
+/// A depth as a texel.
+constexpr Rgba depth_texel(std::uint32_t depth) {
+    return {std::uint16_t(depth >> 16), std::uint16_t(depth & 0xFFFF), 0, 0};
+}
+
+/// The channels that texels of an internal format have; of depths all.
 TextureFormat machine_format(GLint internal_format);
 
 /// The machine's texture of an object, if its images fit each other and its filter; else null. A

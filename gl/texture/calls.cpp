@@ -1,8 +1,10 @@
-// Texture objects and parameters. [GL11] 3.8.3 to 3.8.9
+// Texture units, objects and parameters. [GL11] 3.8.3 to 3.8.9, [GL13] 2.7, 3.8
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+
+#include "gw/describe/opengl.h"
 
 #include <algorithm>
 
@@ -34,11 +36,39 @@ void set_filter(Context& context, GLenum& field, GLenum filter, bool known) {
     change(context, field, filter);
 }
 
-void set_level(Context& context, std::size_t target, int TextureParameters::*which, double level) {
-    if (level < 0) return set_error(context, GL_INVALID_VALUE);
+/// Sets a parameter that the machine's texture depends on.
+template <class T>
+void set_part(Context& context, std::size_t target, T TextureParameters::*which, T value) {
     begin_change(context);
     const auto lock = context.shared->exclusive();
-    context.textures.bound[target]->set_level(which, int(std::min(level, 1000.0)));
+    TextureObject& object = bound_texture(context, target);
+    TextureParameters all = object.parameters;
+    all.*which = value;
+    object.set_parameters(all);
+}
+
+void set_level(Context& context, std::size_t target, int TextureParameters::*which, double level) {
+    if (level < 0) return set_error(context, GL_INVALID_VALUE);
+    set_part(context, target, which, int(std::min(level, 1000.0)));
+}
+
+void set_depth_mode(Context& context, std::size_t target, GLenum mode) {
+    if (mode != GL_LUMINANCE && mode != GL_INTENSITY && mode != GL_ALPHA)
+        return set_error(context, GL_INVALID_ENUM);
+    set_part(context, target, &TextureParameters::depth_mode, mode);
+}
+
+/// [GL14] 3.8.14; all eight functions of [GL15].
+void set_comparison(Context& context, std::size_t target, GLenum pname, GLenum value) {
+    TextureParameters& s = bound_texture(context, target).parameters;
+    if (pname == GL_DEPTH_TEXTURE_MODE) return set_depth_mode(context, target, value);
+    if (pname == GL_TEXTURE_COMPARE_MODE) {
+        if (value != GL_NONE && value != GL_COMPARE_R_TO_TEXTURE)
+            return set_error(context, GL_INVALID_ENUM);
+        return change(context, s.compare_mode, value);
+    }
+    if (!from_opengl<CompareFunc>(value)) return set_error(context, GL_INVALID_ENUM);
+    change(context, s.compare_func, value);
 }
 
 /// The object of a name, made when the name is bound first. Null: another target has the name.
@@ -48,8 +78,20 @@ std::shared_ptr<TextureObject> object_of(Context& context, std::size_t target,
     const auto lock = context.shared->exclusive();
     TextureNames::Named& named = context.shared->textures.named[name];
     if (named.target != 0 && named.target != name_of_target) return nullptr;
-    if (!named.object) named = {name_of_target, std::make_shared<TextureObject>()};
+    if (!named.object) named = {name_of_target, new_texture(target)};
     return named.object;
+}
+
+/// A texture that is deleted is bound nowhere in this context.
+void unbind(Context& context, GLuint name) {
+    for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
+        for (std::size_t target = 0; target < texture_target_count; ++target) {
+            GLuint& bound = context.state.texture.units[unit].bound[target];
+            if (bound != name) continue;
+            begin_change(context);
+            bound = 0;
+            context.textures.bound[unit][target] = context.textures.initial[target];
+        }
 }
 
 }  // namespace
@@ -57,9 +99,9 @@ std::shared_ptr<TextureObject> object_of(Context& context, std::size_t target,
 namespace execute {
 
 void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& params) {
-    const auto index = target_index(target);
+    const auto index = target_index(context.profile, target);
     if (!index) return set_error(context, GL_INVALID_ENUM);
-    TextureParameters& s = context.textures.bound[*index]->parameters;
+    TextureParameters& s = bound_texture(context, *index).parameters;
     const GLenum token = params.token();
     switch (pname) {
         case GL_TEXTURE_MIN_FILTER:
@@ -69,6 +111,15 @@ void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& 
                               token == GL_NEAREST || token == GL_LINEAR);
         case GL_TEXTURE_WRAP_S: return set_wrap(context, s.wrap_s, token);
         case GL_TEXTURE_WRAP_T: return set_wrap(context, s.wrap_t, token);
+        case GL_TEXTURE_WRAP_R:
+            if (!context.profile.extensions.texture_3d) return set_error(context, GL_INVALID_ENUM);
+            return set_wrap(context, s.wrap_r, token);
+        case GL_DEPTH_TEXTURE_MODE:
+        case GL_TEXTURE_COMPARE_MODE:
+        case GL_TEXTURE_COMPARE_FUNC:
+            if (!context.profile.extensions.texture_depth)
+                return set_error(context, GL_INVALID_ENUM);
+            return set_comparison(context, *index, pname, token);
         case GL_TEXTURE_BORDER_COLOR:
             if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
             return change(context, s.border_color, clamped_color(params));
@@ -88,18 +139,24 @@ void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& 
     set_error(context, GL_INVALID_ENUM);
 }
 
+void active_texture(Context& context, GLenum texture) {
+    const auto unit = unit_index(context.profile, texture);
+    if (!unit) return set_error(context, GL_INVALID_ENUM);
+    context.state.texture.active = *unit;
+}
+
 void bind_texture(Context& context, GLenum target, GLuint texture) {
-    const auto index = target_index(target);
+    const auto index = target_index(context.profile, target);
     if (!index) return set_error(context, GL_INVALID_ENUM);
     std::shared_ptr<TextureObject> object = object_of(context, *index, target, texture);
     if (!object) return set_error(context, GL_INVALID_OPERATION);
-    const bool is_bound =
-        object == context.textures.bound[*index] && texture == context.state.texture.bound[*index];
+    GLuint& name = context.state.texture.unit().bound[*index];
+    auto& bound = context.textures.bound[context.state.texture.active][*index];
     // Another context may have changed the object; binding it makes that visible.
-    if (is_bound && context.shared.use_count() == 1) return;
+    if (object == bound && texture == name && context.shared.use_count() == 1) return;
     begin_change(context);
-    context.state.texture.bound[*index] = texture;
-    context.textures.bound[*index] = std::move(object);
+    name = texture;
+    bound = std::move(object);
 }
 
 void gen_textures(Context& context, GLsizei n, GLuint* textures) {
@@ -120,9 +177,7 @@ void delete_textures(Context& context, GLsizei n, const GLuint* textures) {
     if (textures == nullptr) return;
     for (GLsizei i = 0; i < n; ++i) {
         if (textures[i] == 0) continue;
-        for (std::size_t target = 0; target < texture_target_count; ++target)
-            if (context.state.texture.bound[target] == textures[i])
-                bind_texture(context, GL_TEXTURE_1D + GLenum(target), 0);
+        unbind(context, textures[i]);
         const auto lock = context.shared->exclusive();
         context.shared->textures.named.erase(textures[i]);
     }

@@ -57,19 +57,19 @@ HostImage compressed_blocks(GLenum format, GLsizei width, GLsizei height, GLsize
 namespace execute {
 
 void compressed_tex_image_1d(Context& context, GLenum) { set_error(context, GL_INVALID_ENUM); }
+void compressed_tex_image_3d(Context& context, GLenum) { set_error(context, GL_INVALID_ENUM); }
 
 void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenum internal_format,
                              GLsizei width, GLsizei height, GLint border, GLsizei image_size,
                              const HostImage& blocks) {
-    const bool is_proxy = target == GL_PROXY_TEXTURE_2D;
+    const auto place = place_of(context.profile, target);
     const BlockFormat* const format = block_format(internal_format);
-    if ((target != GL_TEXTURE_2D && !is_proxy) || format == nullptr)
+    if (!place || dimensions_of(*place) != 2 || format == nullptr)
         return set_error(context, GL_INVALID_ENUM);
     const ImageRequest r{level, GLint(internal_format), width, height, border};
-    const GLenum error = request_error(context, r, 1);
-    const ImagePlace place{1, is_proxy};
+    const GLenum error = request_error(context, r, *place);
     if (border != 0 && error == GL_NO_ERROR) return set_error(context, GL_INVALID_OPERATION);
-    if (is_proxy) return set_proxy(context, place, r, error);
+    if (place->is_proxy) return set_proxy(context, *place, r, error);
     if (error != GL_NO_ERROR) return set_error(context, error);
     if (image_size < 0 || std::size_t(image_size) != blocks_size(*format, width, height))
         return set_error(context, GL_INVALID_VALUE);
@@ -79,18 +79,18 @@ void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenu
         std::ranges::copy(decoded(*format, width, height, blocks.bytes), colors_of(image).begin());
         image.blocks = blocks.kept;
     }
-    set_image(context, place, level, std::move(image));
+    set_image(context, *place, level, std::move(image));
 }
 
 void compressed_tex_sub_image_2d(Context& context, GLenum target, GLint level, GLint xoffset,
                                  GLint yoffset, GLsizei width, GLsizei height, GLenum format,
                                  GLsizei image_size, const HostImage& blocks) {
     const BlockFormat* const known = block_format(format);
-    if (target != GL_TEXTURE_2D || known == nullptr) return set_error(context, GL_INVALID_ENUM);
+    if (known == nullptr) return set_error(context, GL_INVALID_ENUM);
     const Rect rect{xoffset, yoffset, width, height};
-    const auto part = replaced_part(context, target, level, rect);
+    const auto part = replaced_part(context, target, 2, level, {rect});
     if (!part) return;
-    const TextureImage& image = part->object.levels[part->level];
+    const TextureImage& image = part->image();
     if (!image.blocks || GLenum(image.internal_format) != format || !is_of_blocks(image, rect))
         return set_error(context, GL_INVALID_OPERATION);
     if (image_size < 0 || std::size_t(image_size) != blocks_size(*known, width, height))
@@ -99,7 +99,7 @@ void compressed_tex_sub_image_2d(Context& context, GLenum target, GLint level, G
     auto all = std::make_shared<const std::vector<std::byte>>(
         with_blocks(*known, image, rect, blocks.bytes));
     replace(context, *part, decoded(*known, width, height, blocks.bytes));
-    part->object.levels[part->level].blocks = std::move(all);
+    part->image().blocks = std::move(all);
 }
 
 }  // namespace execute

@@ -19,7 +19,9 @@ vec4 clamped_env_color(const Params& p) {
 /// A value of GL_COMBINE that the machine has a word for.
 template <class Enum>
 void set_word(Context& context, GLenum& field, GLenum value) {
-    if (!from_opengl<Enum>(value)) return set_error(context, GL_INVALID_ENUM);
+    const auto word = from_opengl<Enum>(value);
+    if (!word || !has_word(context.profile.extensions, *word))
+        return set_error(context, GL_INVALID_ENUM);
     change(context, field, value);
 }
 
@@ -42,8 +44,8 @@ void set_scale(Context& context, int& field, double scale) {
 
 /// GL_COMBINE's values. [GL13] table 3.22
 void set_combine(Context& context, GLenum pname, const Params& params) {
-    CombineState& rgb = context.state.texture.combine_rgb;
-    CombineState& alpha = context.state.texture.combine_alpha;
+    CombineState& rgb = context.state.texture.unit().combine_rgb;
+    CombineState& alpha = context.state.texture.unit().combine_alpha;
     const GLenum value = params.token();
     switch (pname) {
         case GL_COMBINE_RGB: return set_function(context, rgb.func, value, false);
@@ -67,7 +69,7 @@ void set_mode(Context& context, GLenum mode) {
     const auto word = from_opengl<TexEnv>(mode);
     if (!word || !has_word(context.profile.extensions, *word))
         return set_error(context, GL_INVALID_ENUM);
-    change(context, context.state.texture.env_mode, mode);
+    change(context, context.state.texture.unit().env_mode, mode);
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ void set_mode(Context& context, GLenum mode) {
 namespace execute {
 
 void tex_env(Context& context, GLenum target, GLenum pname, const Params& params) {
-    TextureState& s = context.state.texture;
+    TextureUnit& s = context.state.texture.unit();
     const Extensions& has = context.profile.extensions;
     if (target == GL_TEXTURE_FILTER_CONTROL && has.texture_lod) {
         if (pname != GL_TEXTURE_LOD_BIAS) return set_error(context, GL_INVALID_ENUM);

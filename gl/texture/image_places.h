@@ -2,7 +2,7 @@
 // compressed forms share. [GL11] 3.8.1, 3.8.2
 #pragma once
 
-#include "gl/state/texture_objects.h"
+#include "gl/state/texture_targets.h"
 
 #include <optional>
 #include <span>
@@ -11,22 +11,15 @@ namespace gw::gl {
 
 struct Context;
 
-/// An image's place: a bound object's level, or a proxy's.
-struct ImagePlace {
-    std::size_t index = 0;  ///< of the target
-    bool is_proxy = false;
-};
-/// None: no such target.
-std::optional<ImagePlace> place_of(GLenum target);
-
 /// The size and format of an image.
 struct ImageRequest {
     GLint level, internal_format;
     GLsizei width, height;
     GLint border;
+    GLsizei depth = 1;
 };
-/// NO_ERROR if the machine has such an image. `target`: its index.
-GLenum request_error(const Context& context, const ImageRequest& r, std::size_t target);
+/// NO_ERROR if the machine has such an image.
+GLenum request_error(const Context& context, const ImageRequest& r, const ImagePlace& place);
 
 /// Texels keep 16 bits a channel.
 inline constexpr int texel_bits = 16;
@@ -41,16 +34,17 @@ void set_image(Context& context, const ImagePlace& place, GLint level, TextureIm
 /// [GL11] 3.8.6: only an image that cannot be supported makes the proxy 0; other errors are errors.
 void set_proxy(Context& context, const ImagePlace& place, const ImageRequest& r, GLenum error);
 
-/// The part of a bound object's level that a call replaces.
+/// The part of a bound object's image that a call replaces.
 struct ReplacedPart {
     TextureObject& object;
-    std::size_t level;
-    Rect rect;  ///< counts from the border
+    ImageKey key;
+    TexelBox box;  ///< counts from the border
+    TextureImage& image() const { return object.image(key); }
 };
 /// None, and the error is set: there is no image, or the part is not inside it. Offsets count from
-/// inside the border.
-std::optional<ReplacedPart> replaced_part(Context& context, GLenum target, GLint level,
-                                          const Rect& part);
+/// inside the border. `dimensions`: of the call.
+std::optional<ReplacedPart> replaced_part(Context& context, GLenum target, int dimensions,
+                                          GLint level, const TexelBox& part);
 void replace(Context& context, const ReplacedPart& part, std::span<const Rgba> colors);
 
 }  // namespace gw::gl

@@ -97,11 +97,17 @@ void tex_coord_pointer(Context& context, GLint size, GLenum type, GLsizei stride
                        const GLvoid* pointer) {
     if (size < 1 || size > 4) return set_error(context, GL_INVALID_VALUE);
     if (!is_coordinate_type(type)) return set_error(context, GL_INVALID_ENUM);
-    set_pointer(context, Array::TexCoord, size, type, stride, pointer);
+    set_pointer(context, texcoord_array(context.client.active_unit), size, type, stride, pointer);
 }
 
 void edge_flag_pointer(Context& context, GLsizei stride, const GLvoid* pointer) {
     set_pointer(context, Array::EdgeFlag, 1, GL_UNSIGNED_BYTE, stride, pointer);
+}
+
+void client_active_texture(Context& context, GLenum texture) {
+    const auto unit = unit_index(context.profile, texture);
+    if (!unit) return set_error(context, GL_INVALID_ENUM);
+    context.client.active_unit = *unit;
 }
 
 void enable_client_state(Context& context, GLenum array) { set_client_array(context, array, true); }
@@ -127,7 +133,7 @@ void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const G
         for (const Array off :
              {Array::EdgeFlag, Array::Index, Array::SecondaryColor, Array::FogCoordinate})
             context.client.array(off).enable = false;
-        take(Array::TexCoord, f.texcoords, GL_FLOAT);
+        take(texcoord_array(context.client.active_unit), f.texcoords, GL_FLOAT);
         take(Array::Color, f.colors, f.color_type);
         take(Array::Normal, f.normals, GL_FLOAT);
         return take(Array::Vertex, f.positions, GL_FLOAT);

@@ -53,6 +53,12 @@ void send_values(const ClientState& client, GLint i) {
         const vec4 v = element(client.array(Array::TexCoord), i, false);
         perform<execute::tex_coord>(Function::TexCoord4f, v.x, v.y, v.z, v.w);
     }
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit) {
+        if (!is_given(client, texcoord_array(unit))) continue;
+        const vec4 v = element(client.array(texcoord_array(unit)), i, false);
+        perform<execute::multi_tex_coord>(Function::MultiTexCoord4f, GL_TEXTURE0 + GLenum(unit),
+                                          v.x, v.y, v.z, v.w);
+    }
     if (is_given(client, Array::Color)) {
         const vec4 v = element(client.array(Array::Color), i, true);
         perform<execute::color>(Function::Color4f, v.x, v.y, v.z, v.w);
@@ -120,16 +126,36 @@ void set_values(const ClientState& client, std::span<AssembledVertex> out, Index
     set(Array::Vertex, false, [](AssembledVertex& v, const vec4& p) { v.position = p; });
 }
 
+/// The same of units 1 to 3.
+template <class IndexOf>
+void set_further_texcoords(const ClientState& client, std::span<FurtherTexcoords> out,
+                           IndexOf index_of) {
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit) {
+        const ClientArray& a = client.array(texcoord_array(unit));
+        if (!a.is_given()) continue;
+        for_each_element(a, GLsizei(out.size()), false, index_of,
+                         [&](GLsizei k, const vec4& element) {
+                             out[std::size_t(k)][unit - 1] = finite(element);
+                         });
+    }
+}
+
 /// Elements as vertices. What no array gives is the current value; the current values stay.
 template <class IndexOf>
 void add_elements(Context& context, GLsizei count, IndexOf index_of) {
     constexpr GLsizei some = 64;  // stay in the first cache
     std::array<AssembledVertex, some> vertices;
     vertices.fill(current_vertex(context.state.current));
+    const bool has_further = context.assembler.keeps_further_texcoords;
+    std::vector<FurtherTexcoords> further;
+    if (has_further) further.assign(some, context.state.current.further_texcoords);
     for (GLsizei first = 0; first < count; first += some) {
         const std::span added(vertices.data(), std::size_t(std::min(some, count - first)));
         set_values(context.client, added, [&](GLsizei k) { return index_of(first + k); });
-        add_vertices(context, added);
+        const std::span added_further(further.data(), has_further ? added.size() : 0);
+        set_further_texcoords(context.client, added_further,
+                              [&](GLsizei k) { return index_of(first + k); });
+        add_vertices(context, added, added_further);
     }
 }
 

@@ -29,20 +29,30 @@ void add_vertex(Context& context, AssembledVertex v) {
     if (!a.inside || !all_finite(v.position)) return;
     v.edge_and_material = material_index(context, a.mesh.empty()) << 1 | (v.edge_and_material & 1u);
     a.mesh.add(v);
+    if (a.keeps_further_texcoords) [[unlikely]]
+        a.mesh.further_texcoords.push_back(context.state.current.further_texcoords);
     if (calls_are_kept) [[unlikely]]
         a.run_calls.add(context.calls.now);
 }
 
-void add_vertices(Context& context, std::span<const AssembledVertex> added) {
+void add_vertices(Context& context, std::span<const AssembledVertex> added,
+                  std::span<const FurtherTexcoords> further) {
     Assembler& a = context.assembler;
     const bool whole = std::all_of(added.begin(), added.end(),
                                    [](const auto& v) { return all_finite(v.position); });
     if (!a.inside || !whole) {
-        for (const AssembledVertex& v : added) add_vertex(context, v);
+        const FurtherTexcoords kept = context.state.current.further_texcoords;
+        for (std::size_t i = 0; i < added.size(); ++i) {
+            if (!further.empty()) context.state.current.further_texcoords = further[i];
+            add_vertex(context, added[i]);
+        }
+        context.state.current.further_texcoords = kept;
         return;
     }
     const std::uint32_t material = material_index(context, a.mesh.empty());
     a.mesh.add(added, material);
+    auto& kept = a.mesh.further_texcoords;
+    if (a.keeps_further_texcoords) kept.insert(kept.end(), further.begin(), further.end());
     if (calls_are_kept)
         for (std::size_t i = 0; i < added.size(); ++i) a.run_calls.add(context.calls.now);
 }
@@ -56,6 +66,7 @@ void begin(Context& context, GLenum mode) {
     const bool whole_strips = context.state.line.stipple || context.selection.mode == GL_FEEDBACK;
     if (!a.mesh.takes(mode, whole_strips)) flush_mesh(context);
     a.mesh.begin(mode, whole_strips);
+    a.keeps_further_texcoords = context.state.texture.uses_further_units();
     if (calls_are_kept) a.run_calls.begin(mode, a.mesh);
     a.inside = true;
 }
@@ -84,6 +95,12 @@ void fog_coord(Context& context, float coordinate) {
 }
 void tex_coord(Context& context, float s, float t, float r, float q) {
     context.state.current.texcoord = finite(vec4(s, t, r, q));
+}
+void multi_tex_coord(Context& context, GLenum texture, float s, float t, float r, float q) {
+    const auto unit = unit_index(context.profile, texture);
+    if (!unit) return set_error(context, GL_INVALID_ENUM);
+    if (*unit == 0) return tex_coord(context, s, t, r, q);
+    context.state.current.further_texcoords[*unit - 1] = finite(vec4(s, t, r, q));
 }
 void normal(Context& context, float x, float y, float z) {
     context.state.current.normal = vec3(finite(vec4(x, y, z, 0)));

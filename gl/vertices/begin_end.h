@@ -11,6 +11,8 @@ struct Context;
 
 /// Not a finite position, or not between Begin and End: the vertex is dropped.
 void add_vertex(Context& context, AssembledVertex v);
-void add_vertices(Context& context, std::span<const AssembledVertex> added);
+/// `further`: of each vertex, if units beside the first have textures.
+void add_vertices(Context& context, std::span<const AssembledVertex> added,
+                  std::span<const FurtherTexcoords> further);
 
 }  // namespace gw::gl

@@ -46,6 +46,24 @@ double eye_depth(const Context& context, const dvec4& p) {
     return eye_point(eye).z;
 }
 
+/// The texture coordinates that units 1 to 3 give a point, with textures or without.
+FurtherTexcoords further_texcoords(const Context& context, Draw draw) {
+    bool changes = false;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        changes |= context.state.texture.units[unit].generates() ||
+                   context.matrices.texture[unit].top() != dmat4(1);
+    if (!changes) return context.state.current.further_texcoords;
+    gw::State state = context.translated.state;
+    state.more_textures = further_coordinates(context);
+    draw.more_maps =
+        std::make_shared<const MoreBindings>(MoreBindings{draw.map, draw.map, draw.map});
+    const Vertex vertex = run_vertex(vertex_program(state, draw, context.profile), 0);
+    FurtherTexcoords out;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        for (int i = 0; i < 4; ++i) out[unit - 1][i] = float(finite(vertex.texcoord_of(unit)[i]));
+    return out;
+}
+
 }  // namespace
 
 namespace execute {
@@ -61,7 +79,8 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
     MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
     point.primitive = Primitive::Points;
     const Draw draw = with_texture_coordinates(
-        make_draw(context, make_mesh(std::move(point)), values, face_materials(context)));
+        make_draw(context, make_mesh(std::move(point)), values,
+                  context.state.current.further_texcoords, face_materials(context)));
     const VertexProgram program = vertex_program(state, draw, context.profile);
     const Vertex vertex = run_vertex(program, 0);
     const ViewportTransform viewport =
@@ -83,6 +102,7 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
     if (context.state.lighting.enable)
         for (int i = 0; i < 3; ++i)
             raster.secondary_color[i] = float(vertex.secondary[std::size_t(i)]) / largest;
+    raster.further_texcoords = further_texcoords(context, draw);
     raster.index = context.state.current.index;
     report_depth(context, raster.position.z);
 }
@@ -98,6 +118,7 @@ void window_pos(Context& context, double x, double y, double z) {
     raster.color = glm::clamp(context.state.current.color, 0.0f, 1.0f);
     raster.secondary_color = given_secondary_color(context);
     raster.texcoord = context.state.current.texcoord;
+    raster.further_texcoords = context.state.current.further_texcoords;
     raster.index = context.state.current.index;
     report_depth(context, raster.position.z);
 }

@@ -16,7 +16,9 @@ struct Case {
 };
 constexpr Case cases[] = {
     {"glWindowPos2iARB", "GL_ARB_window_pos", 1.1},
+    {"glTexImage3D", "GL_EXT_texture3D", 1.2},
     {"glLoadTransposeMatrixfARB", "GL_ARB_transpose_matrix", 1.3},
+    {"glActiveTextureARB", "GL_ARB_multitexture", 1.3},
     {"glBlendFuncSeparate", "GL_EXT_blend_func_separate", 1.4},
     {"glMultiDrawArrays", "GL_EXT_multi_draw_arrays", 1.4},
     {"glSecondaryColor3f", "GL_EXT_secondary_color", 1.4},

@@ -146,7 +146,13 @@ void set_eval() {
 void set_list() { glListBase(77); }
 void set_texture() {
     const float values[] = {0.25f, 0.5f, 0.75f, 0.5f};
-    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D}) {
+    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
+        glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP);
+        glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
+        glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
+        glTexParameteri(target, GL_TEXTURE_COMPARE_FUNC, GL_LESS);
+        glBindTexture(target, target);
+        glBindTexture(target, 0);
         glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP);
@@ -163,6 +169,13 @@ void set_texture() {
     }
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, values);
+}
+void set_multisample() {
+    glSampleCoverage(0.5f, GL_TRUE);
+    glDisable(GL_MULTISAMPLE);
+    for (const GLenum cap :
+         {GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+        glEnable(cap);
 }
 void set_scissor() {
     glScissor(1, 2, 3, 4);
@@ -192,7 +205,8 @@ constexpr Group groups[] = {{GL_CURRENT_BIT, set_current},
                             {GL_EVAL_BIT, set_eval},
                             {GL_LIST_BIT, set_list},
                             {GL_TEXTURE_BIT, set_texture},
-                            {GL_SCISSOR_BIT, set_scissor}};
+                            {GL_SCISSOR_BIT, set_scissor},
+                            {GL_MULTISAMPLE_BIT, set_multisample}};
 
 void set_all() {
     for (const Group& group : groups) group.set();

@@ -63,7 +63,8 @@ struct Arguments {
             {0x4000, 0x4008}, {0x8000, 0x8070}, {0x8074, 0x8094}, {0x80C8, 0x80CC},
             {0x8120, 0x8140}, {0x8191, 0x8193}, {0x8362, 0x8371}, {0x83F0, 0x83F4},
             {0x84C0, 0x8502}, {0x8570, 0x859B}, {0x8764, 0x8766}, {0x8872, 0x88EF},
-            {0x8C40, 0x8C50}, {0x8CA0, 0x8D48}};
+            {0x8C40, 0x8C50}, {0x8CA0, 0x8D48}, {0x806F, 0x8074}, {0x809D, 0x80AC},
+            {0x81A5, 0x81A8}, {0x8511, 0x851D}, {0x884A, 0x8850}};
         const auto& [first, last] = ranges[random.below(std::size(ranges))];
         return first + random.below(last - first);
     }
@@ -137,6 +138,13 @@ void leave_begin() {
     }
 }
 
+/// Skipped images of many rows would lie beyond the memory.
+void keep_slices_near() {
+    for (const GLenum name :
+         {GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT, GL_PACK_SKIP_IMAGES, GL_PACK_IMAGE_HEIGHT})
+        glPixelStorei(name, name == GL_UNPACK_SKIP_IMAGES || name == GL_PACK_SKIP_IMAGES ? 1 : 0);
+}
+
 /// Ends what a sequence may have opened.
 void leave_all(Memory& memory) {
     leave_begin();
@@ -151,6 +159,7 @@ void leave_all(Memory& memory) {
     for (const GLenum name :
          {GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS})
         glPixelStorei(name, 0);
+    keep_slices_near();
     leave_begin();
 }
 
@@ -169,6 +178,7 @@ void run_sequence(unsigned seed, bool has_drawable, int count) {
         if (compares) leave_all(memory);
         const Snapshot before = compares ? snapshot() : Snapshot();
         callable.call(arguments);
+        if (std::string_view(callable.name).starts_with("PixelStore")) keep_slices_near();
         const bool is_inside = window.context.assembler.inside;
         if (is_inside && compares) leave_begin();
         const GLenum error = is_inside ? GLenum(GL_NO_ERROR) : glGetError();

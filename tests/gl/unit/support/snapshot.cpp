@@ -33,9 +33,9 @@ void add(Snapshot& out, const std::string& name, Get get) {
 
 void add_variables(Snapshot& out) {
     constexpr std::pair<GLenum, GLenum> ranges[] = {
-        {0x0B00, 0x0E00}, {0x2A00, 0x2A03}, {0x3000, 0x3006}, {0x4000, 0x4008},
-        {0x8000, 0x8010}, {0x8030, 0x8040}, {0x8060, 0x8094}, {0x80C8, 0x80CC},
-        {0x84E0, 0x84E7}, {0x8890, 0x88A0}, {0x88ED, 0x88F0}};
+        {0x0B00, 0x0E00}, {0x2A00, 0x2A03}, {0x3000, 0x3006}, {0x4000, 0x4008}, {0x8000, 0x8010},
+        {0x8030, 0x8040}, {0x8060, 0x8094}, {0x80C8, 0x80CC}, {0x809D, 0x80AC}, {0x84E0, 0x84E7},
+        {0x8512, 0x851D}, {0x8890, 0x88A0}, {0x88ED, 0x88F0}};
     for (const auto& [first, last] : ranges)
         for (GLenum name = first; name < last; ++name)
             add<double>(out, variable(name), [&](double* v) { glGetDoublev(name, v); });
@@ -61,9 +61,11 @@ void add_texture(Snapshot& out) {
         for (const GLenum name : {GL_TEXTURE_GEN_MODE, GL_OBJECT_PLANE, GL_EYE_PLANE})
             add<double>(out, "generation " + hexadecimal(coord) + " " + hexadecimal(name),
                         [&](double* v) { glGetTexGendv(coord, name, v); });
-    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D})
-        for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S,
-                                  GL_TEXTURE_WRAP_T, GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_PRIORITY})
+    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP})
+        for (const GLenum name :
+             {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+              GL_TEXTURE_WRAP_R, GL_TEXTURE_BORDER_COLOR, GL_TEXTURE_PRIORITY,
+              GL_DEPTH_TEXTURE_MODE, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC})
             add<float>(out, "texture " + hexadecimal(target) + " " + hexadecimal(name),
                        [&](float* v) { glGetTexParameterfv(target, name, v); });
 }
