@@ -29,6 +29,7 @@ const std::vector<Suite>& suites() {
         {"textures",
          {texture_steps(), texture_steps(), transform_steps()},
          {{"textured shape", draw_textured_shape}, {"read texture", read_texture}}},
+        {"units", {unit_steps()}, {{"shape", draw_shape}}},
         {"fragments", {fragment_steps()}, {{"shape", draw_shape}}},
         {"surfaces", {transform_steps()}, {{"surface", draw_surface}}},
         {"rectangles",

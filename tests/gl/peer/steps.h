@@ -21,6 +21,7 @@ std::span<const StepKind> rasterization_steps();
 std::span<const StepKind> size_steps();
 std::span<const StepKind> lighting_steps();
 std::span<const StepKind> texture_steps();
+std::span<const StepKind> unit_steps();
 std::span<const StepKind> fragment_steps();
 std::span<const StepKind> pixel_steps();
 

@@ -167,7 +167,7 @@ TEST(GlVolumes, HaveLevelsHalvedInDepth) {
     for (int level = 1; level < 4; ++level) {
         EXPECT_EQ(value_of_level(GL_TEXTURE_3D, GL_TEXTURE_WIDTH, level), 8 >> level);
         EXPECT_EQ(value_of_level(GL_TEXTURE_3D, GL_TEXTURE_DEPTH, level), 1);
-        EXPECT_EQ(bytes_of_volume(12, level)[0], 150);
+        EXPECT_EQ(bytes_of_volume(24, level)[0], 150);
     }
     use_nearest_of(GL_TEXTURE_3D);
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
