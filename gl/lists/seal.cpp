@@ -1,5 +1,6 @@
 // Finds the runs of vertices in a display list and assembles them.
 #include "gl/api/calls.h"
+#include "gl/api/finite.h"
 #include "gl/assemble/run_calls.h"
 #include "gl/drawable/call_trace.h"
 #include "gl/lists/sealed_runs.h"
@@ -108,7 +109,7 @@ bool Sealer::take_texcoord(const std::tuple<GLenum, float, float, float, float>&
     const auto& [texture, s, t, r, q] = call;
     const std::size_t unit = texture - GL_TEXTURE0;
     if (unit >= texture_unit_count) return false;
-    (unit == 0 ? now_.texcoord : further_[unit - 1]) = {s, t, r, q};
+    (unit == 0 ? now_.texcoord : further_[unit - 1]) = finite(vec4(s, t, r, q));
     (unit == 0 ? given_.texcoord : given_.further_texcoords[unit - 1]) = true;
     return true;
 }

@@ -75,11 +75,6 @@ void set_unit(const Gl& gl, Random& random, GLenum unit) {
     set_combine(gl, random);
 }
 
-void set_units(const Gl& gl, Random& random, Results&) {
-    for (GLenum unit = 0; unit < 4; ++unit) set_unit(gl, random, unit);
-    gl.ActiveTexture(GL_TEXTURE0);
-}
-
 /// A direction far from the edges of a cube, and an r that is not 1/2.
 void set_coordinates(const Gl& gl, Random& random, Results&) {
     for (GLenum unit = 1; unit < 4; ++unit) {
@@ -87,6 +82,13 @@ void set_coordinates(const Gl& gl, Random& random, Results&) {
         if (random.chance(60)) v[random.below(2)] = random.chance(50) ? 2.0f : -2.0f;
         gl.MultiTexCoord4fv(GL_TEXTURE0 + unit, v);
     }
+}
+
+/// A cube has no texel at the first coordinates, which are 0.
+void set_units(const Gl& gl, Random& random, Results& out) {
+    for (GLenum unit = 0; unit < 4; ++unit) set_unit(gl, random, unit);
+    gl.ActiveTexture(GL_TEXTURE0);
+    set_coordinates(gl, random, out);
 }
 
 }  // namespace

@@ -279,7 +279,8 @@ TEST(GlAttributes, EnableBitRestoresEveryCapabilityAndNothingElse) {
         capabilities += is_capability;
         EXPECT_EQ(values, (is_capability ? before : changed).at(name)) << name;
     }
-    EXPECT_EQ(capabilities, 23 + 8 + 6 + 2 + 4 + 18 + 6);  // the last: client arrays
+    // lights, clip planes, textures and their coordinates, samples, maps, client arrays
+    EXPECT_EQ(capabilities, 23 + 8 + 6 + 4 + 4 + 4 + 18 + 6);
 }
 
 TEST(GlAttributes, MaterialsFollowTheColorUntilPopDisablesColorMaterial) {

@@ -8,7 +8,7 @@ TEST(GlMachineTextures, ParametersMakeNoOther) {
     const Window window;
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    TextureObject& object = *window.context.textures.bound[1];
+    TextureObject& object = bound_texture(window.context, two_dimensions);
     const auto made = [&] { return machine_texture(object, 1, opengl()); };
     const TextureRef first = made();
     ASSERT_TRUE(first);
@@ -24,7 +24,7 @@ TEST(GlMachineTextures, ParametersMakeNoOther) {
 /// [GL11] 3.8.8: a filter without levels needs the first one only. It samples the same texture.
 TEST(GlMachineTextures, FiltersWithAndWithoutLevelsShareOne) {
     const Window window;
-    TextureObject& object = *window.context.textures.bound[1];
+    TextureObject& object = bound_texture(window.context, two_dimensions);
     const auto made = [&](GLint filter) {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
         return machine_texture(object, 1, opengl());

@@ -152,7 +152,7 @@ private:
 };
 
 const std::uint16_t* texels_of(const Window& window, std::size_t level = 0) {
-    return window.context.textures.bound[1]->levels[level].texels.data();
+    return bound_texture(window.context, two_dimensions).levels[level].texels.data();
 }
 
 }  // namespace

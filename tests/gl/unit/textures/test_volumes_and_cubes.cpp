@@ -279,8 +279,8 @@ TEST(GlCubes, HaveTheErrorsOfTheSpecification) {
     }
     image(GL_TEXTURE_CUBE_MAP, 4, 4);
     expect_error(GL_INVALID_ENUM, "an image of all faces");
-    image(first_face + 6, 4, 4);
-    expect_error(GL_INVALID_ENUM, "a seventh face");
+    image(first_face + 7, 4, 4);
+    expect_error(GL_INVALID_ENUM, "no face");
     glBindTexture(first_face, 1);
     expect_error(GL_INVALID_ENUM, "a face is bound");
     glEnable(first_face);
