@@ -75,10 +75,10 @@ void set_unit(const Gl& gl, Random& random, GLenum unit) {
     set_combine(gl, random);
 }
 
-/// A direction far from the edges of a cube, and an r that is not 1/2.
+/// A direction off the edges of a cube, and an r that is not 1/2.
 void set_coordinates(const Gl& gl, Random& random, Results&) {
     for (GLenum unit = 1; unit < 4; ++unit) {
-        GLfloat v[] = {0.25f, -0.125f, random.chance(50) ? 0.25f : 0.75f, 1};
+        GLfloat v[] = {0.375f, -0.125f, random.chance(50) ? 0.25f : 0.75f, 1};
         if (random.chance(60)) v[random.below(2)] = random.chance(50) ? 2.0f : -2.0f;
         gl.MultiTexCoord4fv(GL_TEXTURE0 + unit, v);
     }
