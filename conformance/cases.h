@@ -38,6 +38,7 @@ Case separate_blend_case(Random& random);
 Case shadow_case(Random& random);
 Case stencil_case(Random& random);
 Case stipple_case(Random& random);
+Case surfaces_case(Random& random);
 Case texture_case(Random& random);
 Case texture_formats_case(Random& random);
 Case texture_churn_case(Random& random);

@@ -132,6 +132,8 @@ const std::vector<Group>& all_groups() {
          cubes_case, 32, color, {&C::texels, &C::written}},
         {"volumes", "textures of three dimensions", "R10.45 R10.38",
          volumes_case, 24, color, {&C::texels, &C::written}},
+        {"surfaces", "surfaces of any size and planes, blits between them, their planes as textures", "R16.1-R16.10",
+         surfaces_case, 40, color | depth | stencil, {&C::texels, &C::pixels, &C::depth_killed, &C::stencil_killed, &C::written}},
     };
     return all;
 }

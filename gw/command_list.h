@@ -40,12 +40,20 @@ struct SetState {
     bool operator==(const SetState&) const = default;
 };
 
-/// The texture of a draw: a value, or a texture slot that CopyTexture filled. Texturing is off if
-/// neither is given.
+/// A plane of a surface.
+struct SurfacePlane {
+    std::uint32_t surface = 1;
+    Plane plane = Plane::Color;  ///< Color or Depth
+    bool operator==(const SurfacePlane&) const = default;
+};
+
+/// The texture of a draw: a value, a texture slot that CopyTexture filled, or a plane of a surface
+/// that is not drawn to. Texturing is off if none is given.
 struct TextureBinding {
     TextureRef texture;
     std::optional<std::uint32_t> slot;
-    bool enabled() const { return texture != nullptr || slot.has_value(); }
+    std::optional<SurfacePlane> surface{};  ///< extension surfaces: its texels as they are now
+    bool enabled() const { return texture != nullptr || slot.has_value() || surface.has_value(); }
     bool operator==(const TextureBinding&) const = default;
 };
 
@@ -219,8 +227,34 @@ struct Query {
     bool operator==(const Query&) const = default;
 };
 
-using Command = std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate,
-                             Copy, CopyTexture, Read, DrawPixels, SwapBuffers, Query>;
+/// Extension surfaces: makes a surface, all of whose values are 0, in place of the one that has
+/// the number. Sides of 0: there is none any more.
+struct MakeSurface {
+    std::uint32_t number = 1;  ///< 1 .. max_surfaces
+    Surface surface;
+    bool operator==(const MakeSurface&) const = default;
+};
+
+/// Extension surfaces: the following commands draw to this surface and read from it. 0: the window.
+struct UseSurface {
+    std::uint32_t number = 0;
+    bool operator==(const UseSurface&) const = default;
+};
+
+/// Extension surfaces: copies a rectangle of another surface, or of this one, to the surface in use
+/// (glBlitFramebuffer). It is scaled to the target's size. The scissor box cuts it; no mask does.
+struct Blit {
+    std::uint32_t from_surface = 0;  ///< the source's number; 0: the window
+    PlaneMask planes = 0;  ///< of Color, Depth and Stencil: those that both have are copied
+    Rect source, target;   ///< corners within -8192 .. 8192, sides 0 .. 8192
+    bool flip_x = false, flip_y = false;
+    MagFilter filter = MagFilter::Nearest;  ///< of colours; depths and stencil values are Nearest
+    bool operator==(const Blit&) const = default;
+};
+
+using Command =
+    std::variant<BeginPass, Clear, SetState, Draw, WriteSpans, WritePixels, Accumulate, Copy,
+                 CopyTexture, Read, DrawPixels, SwapBuffers, Query, MakeSurface, UseSurface, Blit>;
 
 /// Commands in order. Meshes, textures and lights are immutable and shared between lists; == of
 /// commands compares their addresses, inspect/compare/difference.h their content.

@@ -65,6 +65,7 @@ public:
     /// Throws Error, before anything is drawn, if `validate` does.
     virtual void execute(const CommandList& list) = 0;
 
+    /// Of the window.
     virtual const Planes& planes() = 0;
     /// One entry per pass since construction (or the last reset).
     virtual const std::vector<PassReport>& passes() = 0;
@@ -83,8 +84,10 @@ struct ListContext {
     State state;
     std::map<std::uint32_t, Plane> slots;  ///< filled texture slots and the plane each came from
     ReadTargets targets{};
-    std::string pass{};                    ///< the pass that the list continues
-    std::optional<std::uint32_t> query{};  ///< the active one
+    std::string pass{};                           ///< the pass that the list continues
+    std::optional<std::uint32_t> query{};         ///< the active one
+    std::map<std::uint32_t, Surface> surfaces{};  ///< by number, without the window
+    std::uint32_t surface = 0;                    ///< the one in use
 };
 
 /// What a query leaves to the commands after it.

@@ -9,9 +9,9 @@ namespace gw {
 
 const char* name_of(const Command& command) {
     static constexpr const char* names[] = {
-        "BeginPass",   "Clear",       "SetState", "Draw",        "WriteSpans",
-        "WritePixels", "Accumulate",  "Copy",     "CopyTexture", "Read",
-        "DrawPixels",  "SwapBuffers", "Query"};
+        "BeginPass",  "Clear",       "SetState",    "Draw", "WriteSpans", "WritePixels",
+        "Accumulate", "Copy",        "CopyTexture", "Read", "DrawPixels", "SwapBuffers",
+        "Query",      "MakeSurface", "UseSurface",  "Blit"};
     static_assert(std::size(names) == std::variant_size_v<Command>);
     return names[command.index()];
 }

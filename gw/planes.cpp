@@ -17,6 +17,13 @@ Planes::Planes(int w, int h, int color_planes) : width(w), height(h) {
     if (color_planes == 2) back.resize(size);
 }
 
+Planes::Planes(const Surface& surface) : width(surface.width), height(surface.height) {
+    const std::size_t size = std::size_t(width) * std::size_t(height);
+    color.resize(size);
+    depth.resize(size);
+    stencil.resize(size);
+}
+
 namespace {
 
 constexpr int block = 64;

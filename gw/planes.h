@@ -24,6 +24,24 @@ constexpr PlaneMask mask_of(Plane plane) {
 }
 inline constexpr PlaneMask all_planes = 15;  ///< that commands name: all but Back
 
+/// The largest side of a surface.
+inline constexpr int max_surface_size = 8192;
+/// Surfaces have the numbers 1 to this.
+inline constexpr std::uint32_t max_surfaces = 1023;
+
+/// What commands draw to and read from: the window, which has the number 0, or, with extension
+/// surfaces, planes of another size. docs/manual/surfaces.md.
+struct Surface {
+    int width = 0, height = 0;
+    PlaneMask planes = 0;  ///< of Color, Depth and Stencil; the window also has Accum
+    int depth_bits = 0;    ///< 16 .. 32; 0: the profile's
+    bool has(Plane plane) const { return (planes & mask_of(plane)) != 0; }
+    bool is_window() const { return has(Plane::Accum); }
+    bool operator==(const Surface&) const = default;
+};
+inline constexpr PlaneMask surface_planes =
+    PlaneMask(mask_of(Plane::Color) | mask_of(Plane::Depth) | mask_of(Plane::Stencil));
+
 struct Planes {
     int width = 0, height = 0;
     std::vector<Rgba> color;            ///< 0 .. 2^color_bits - 1
@@ -36,6 +54,8 @@ struct Planes {
     Planes() = default;
     /// All planes are 0, depth too. OpenGL leaves them undefined before the first clear.
     Planes(int width, int height, int color_planes = 1);
+    /// Of a surface: one colour plane, depth and stencil, whichever it has. No accumulation.
+    explicit Planes(const Surface& surface);
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
     bool operator==(const Planes&) const = default;
 };

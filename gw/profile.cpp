@@ -69,7 +69,14 @@ Profile opengl() {
                     .texture_depth = true,
                     .texture_cube = true,
                     .texture_seamless = true,
-                    .texture_3d = true};
+                    .texture_3d = true,
+                    .surfaces = true};
+    return p;
+}
+
+Profile profile_of(const Profile& profile, const Surface& surface) {
+    Profile p = profile;
+    p.depth_bits = depth_bits(profile, surface);
     return p;
 }
 
@@ -104,6 +111,7 @@ std::span<const ExtensionName> extension_names() {
         {"texture_cube", &Extensions::texture_cube},
         {"texture_seamless", &Extensions::texture_seamless},
         {"texture_3d", &Extensions::texture_3d},
+        {"surfaces", &Extensions::surfaces},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -44,6 +44,7 @@ struct Extensions {
     bool texture_cube = false;      ///< Texture::cube, CoordinateMode::NormalMap, ReflectionMap
     bool texture_seamless = false;  ///< TextureState::seamless
     bool texture_3d = false;        ///< three dimensions
+    bool surfaces = false;          ///< MakeSurface, UseSurface, Blit
     bool operator==(const Extensions&) const = default;
 };
 
@@ -95,6 +96,13 @@ const std::vector<Profile>& profiles();
 constexpr int texel_bits(const Profile& p) {
     return p.texel_bits != 0 ? p.texel_bits : p.color_bits;
 }
+
+/// Of a surface's depth plane.
+constexpr int depth_bits(const Profile& p, const Surface& surface) {
+    return surface.depth_bits != 0 ? surface.depth_bits : p.depth_bits;
+}
+/// The profile with the depth_bits of a surface: that of all commands on it.
+Profile profile_of(const Profile& profile, const Surface& surface);
 
 /// The planes of its machines.
 constexpr PlaneMask planes_of(const Profile& p) {

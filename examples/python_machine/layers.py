@@ -52,7 +52,7 @@ def layered(image, profile):
         else:
             texels = texels_of(completed(level, image.format), profile, image.srgb)
         levels.append(texels.reshape(layers, -1, level.shape[1], 4))
-    result = Texture(levels)
+    result = Texture(levels, depth_bits=profile.depth_bits)
     result.level_depths = level_depths
     result.format, result.dimensions = image.format, image.dimensions
     result.cube, result.with_r = image.cube, True
@@ -122,7 +122,7 @@ class VolumeStage(TextureStage):
 
     def compared_with(self, s, t, r):
         """[R10.41]"""
-        bits, base = self.profile.depth_bits, self.lod.base
+        bits, base = self.texture.depth_bits, self.lod.base
         incoming = to_integer_array(np.floor(r.wide * 2.0**(r.e + bits)), 0, one(bits))
         w, h, _ = self.sides(base)
         around = np.pad(self.texture.level_depths[base], 1,

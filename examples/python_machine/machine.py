@@ -7,7 +7,7 @@ from collections import Counter
 import numpy as np
 import xxhash
 
-from . import draw, pixels
+from . import draw, pixels, surfaces
 from .layers import layered
 from .state import Plane, State
 from .texture import Texture
@@ -50,18 +50,34 @@ class Machine:
     """[R1.1] A machine has a profile and a window, and executes commands."""
 
     def __init__(self, profile, width, height):
-        self.profile, self.width, self.height = profile, width, height
-        self.planes = Planes(width, height)
+        self.window_profile = profile
+        self.surfaces = {0: surfaces.Surface(width, height, 15, profile, Planes(width, height))}
+        self.use(0)
         self.state = State()
         self.slots, self.readbacks = {}, {}
         self.counters = Counter()
         self.textures = {}
         self.pass_name = None
         self.query, self.queries = None, []  # [R14.11]
+
+    def use(self, number):
+        """[R16.2] The surface that commands draw to."""
+        self.number, surface = number, self.surfaces[number]
+        self.surface, self.planes = surface, surface.values
+        self.width, self.height = surface.width, surface.height
+        profile = self.profile = surface.profile
         # [R14.8]
         self.bytes_of = {"Color": 4 * -(-profile.color_bits // 8),
                          "Depth": -(-profile.depth_bits // 8), "Stencil": 1,
                          "Accum": 4 * -(-profile.accum_bits // 8)}
+
+    @property
+    def state(self):
+        return surfaces.state_on(self.surface, self.given_state, self.number)
+
+    @state.setter
+    def state(self, given):
+        self.given_state = given
 
     def execute(self, commands):
         """Runs commands; yields (name, counters, digests, queries) of each pass that ends
@@ -81,7 +97,8 @@ class Machine:
             yield self.end_pass()
 
     def end_pass(self):
-        digests = {plane.name.lower(): digest(self.planes, plane) for plane in Plane
+        window = self.surfaces[0].values  # [R16.4]
+        digests = {plane.name.lower(): digest(window, plane) for plane in Plane
                    if plane != Plane.Back or self.profile.color_planes == 2}
         ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests,
                  self.queries)
@@ -108,15 +125,18 @@ class Machine:
          "WritePixels": pixels.write_pixels, "Accumulate": pixels.accumulate,
          "Copy": pixels.copy, "CopyTexture": pixels.copy_texture,
          "Read": pixels.read, "DrawPixels": pixels.draw_pixels,
-         "SwapBuffers": pixels.swap_buffers}[command.kind](self, command)
+         "SwapBuffers": pixels.swap_buffers, "MakeSurface": surfaces.make,
+         "UseSurface": surfaces.use, "Blit": surfaces.blit}[command.kind](self, command)
 
     def texture_of(self, command, unit):
-        """The texture of a unit: an image's pyramid, made once, or a slot."""
-        image = command.texture_of(unit)
+        """The texture of a unit: an image's pyramid, made once, a slot, or a surface's plane."""
+        image, plane = command.texture_of(unit), command.plane_of(unit)
+        if plane is not None:
+            return surfaces.texture(self, *plane)
         if image is None:
             return self.slots[command.slot_of(unit)]
         key = id(image)
         if key not in self.textures:
             make = layered if image.needs_r() else Texture.of_image
-            self.textures[key] = make(image, self.profile)
+            self.textures[key] = make(image, self.window_profile)
         return self.textures[key]

@@ -69,7 +69,7 @@ def clear(machine, command):
         Plane.Stencil: command.stencil,
     }
     for plane in Plane:
-        if not command.planes & (1 << plane):
+        if not command.planes & machine.surface.has & (1 << plane):
             continue
         visited(machine, plane, size_of(box), times_written(machine, plane))
         if plane == Plane.Accum:

@@ -47,3 +47,4 @@ class Profile:
     texture_cube: bool = False
     texture_seamless: bool = False
     texture_3d: bool = False
+    surfaces: bool = False

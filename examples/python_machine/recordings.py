@@ -212,13 +212,17 @@ class Command:
 
     def is_textured(self, unit=0):
         """[R5.2]"""
-        return self.texture_of(unit) is not None or self.slot_of(unit) is not None
+        return any(of(unit) is not None for of in (self.texture_of, self.slot_of, self.plane_of))
 
     def texture_of(self, unit):
         return self.textures[unit]
 
     def slot_of(self, unit):
         return self.slots[unit]
+
+    def plane_of(self, unit):
+        """[R16.5] A surface's number and the plane."""
+        return self.planes_of_surfaces[unit]
 
     def units(self):
         """[R10.37] Those that are on."""
@@ -322,12 +326,17 @@ class Reader:
 
     def maps_of(self, c):
         """[R10.37] By unit."""
-        def more(given):
-            return [NONE] * 3 if given is None or len(given) == 0 else list(given)
+        def more(given, absent=NONE):
+            return [absent] * 3 if given is None or len(given) == 0 else list(given)
+
+        surfaces = [c.surface] + more(c.moreSurfaces)
+        planes = [c.surfacePlane] + more(c.moreSurfacePlanes, 0)
 
         return {"textures": [None if place == NONE else self.textures[place]
                              for place in [c.texture] + more(c.moreTextures)],
-                "slots": [None if slot == NONE else slot for slot in [c.slot] + more(c.moreSlots)]}
+                "slots": [None if slot == NONE else slot for slot in [c.slot] + more(c.moreSlots)],
+                "planes_of_surfaces": [None if number == NONE else (number, plane)
+                                       for number, plane in zip(surfaces, planes)]}
 
     def read_WriteSpans(self, c):
         return {"spans": c.spans or [], "colors": rgba(c.colors), "depth": c.depth}
@@ -351,6 +360,18 @@ class Reader:
 
     def read_Query(self, c):
         return {"key": c.key, "begin": c.begin}
+
+    def read_MakeSurface(self, c):
+        return {"number": c.number, "width": c.width, "height": c.height, "planes": c.planes,
+                "depth_bits": c.depthBits}
+
+    def read_UseSurface(self, c):
+        return {"number": c.number}
+
+    def read_Blit(self, c):
+        return {"from_surface": c.fromSurface, "planes": c.planes, "source": box(c.source),
+                "target": box(c.target), "flip_x": c.flipX, "flip_y": c.flipY,
+                "filter": c.filter}
 
     def read_Read(self, c):
         return {"key": c.key, "plane": c.plane, "rect": box(c.rect), "packed": c.packed}

@@ -75,8 +75,8 @@ def completed(level, form, most=one(16)):
 class Texture:
     """What a draw looks up: levels in color_bits, and the depths of a slot of the depth plane."""
 
-    def __init__(self, levels, depths=None):
-        self.levels, self.depths = levels, depths
+    def __init__(self, levels, depths=None, depth_bits=0):
+        self.levels, self.depths, self.depth_bits = levels, depths, depth_bits
         self.bordered = [None] * len(levels)  # the levels with their borders [R10.25]
         self.format, self.dimensions = TextureFormat.RGBA, 2
         self.cube = self.with_r = False
@@ -103,7 +103,7 @@ class Texture:
         if not is_depth:
             return cls([values])
         gray = rescale(values, profile.depth_bits, profile.color_bits)
-        return cls([np.repeat(gray[:, :, None], 4, axis=2)], values)
+        return cls([np.repeat(gray[:, :, None], 4, axis=2)], values, profile.depth_bits)
 
     def sides(self, level):
         h, w = self.levels[level].shape[:2]
@@ -337,7 +337,7 @@ class TextureStage:
 
     def shadow(self, s, t, r):
         """[R10.18]"""
-        bits = self.profile.depth_bits
+        bits = self.texture.depth_bits
         u = r.u if self.projective else np.zeros_like(r.u)
         depth = to_integer_array(np.floor(u.astype(np.float64) * 2.0**(r.e + bits)), 0, one(bits))
         return self.compared(s, t, depth)
@@ -345,7 +345,7 @@ class TextureStage:
     def compared(self, s, t, depth):
         w, h = self.texture.sides(self.lod.base)
         around = np.pad(self.texture.depths, 1, constant_values=quantize(
-            self.border_color[0], self.profile.depth_bits))  # [R10.30]
+            self.border_color[0], self.texture.depth_bits))  # [R10.30]
         stored = around[t.wrapped(t.position(h) >> 8, h) + 1, s.wrapped(s.position(w) >> 8, w) + 1]
         lit = np.where(compare(self.compare_func, depth, stored), one(self.profile.color_bits), 0)
         return np.repeat(lit[:, None], 4, axis=1)
@@ -390,7 +390,7 @@ def texel_in_place(state, profile, texture, strq):
     wrap_t = lookup.wrap_t if texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
     s, t = Place(s / q, lookup.wrap_s), Place(t / q, wrap_t)
     if lookup.shadow_compare:
-        bits = profile.depth_bits
+        bits = texture.depth_bits
         incoming = to_integer_array(np.array([np.floor(r / q * 2.0**bits)]), 0, one(bits))
         return stage.compared(s, t, incoming)
     return stage.look_up(stage.lod.base, lookup.mag_filter == MagFilter.Linear, s, t)

@@ -2,7 +2,7 @@
 import math
 
 from .numbers import bounded, dot3, dot4, transform, unit
-from .state import NO_TEXGEN, CoordinateMode, TexGen, identity
+from .state import NO_TEXGEN, CoordinateMode, Plane, TexGen, identity
 
 
 def at_vertex(state, own, p, p_eye, point, n):
@@ -42,6 +42,9 @@ def divided_by_q(state, draw, texture_unit):
     """[R10.22], [R10.38]; state: of the unit"""
     image = draw.texture_of(texture_unit)
     if image is not None and image.needs_r():
+        return True
+    plane = draw.plane_of(texture_unit)
+    if plane is not None and plane[1] == Plane.Depth:
         return True
     gen, m = state.texture.gen, state.texture_matrix
     if gen == TexGen.EyeLinear:

@@ -11,6 +11,7 @@ namespace {
 using namespace gw;
 using namespace gw::gl;
 using namespace gw::gl::egl;
+using Surface = gw::gl::egl::Surface;
 using SurfaceKind = x11::Surface::Kind;
 
 /// What a list of a new surface asks for.

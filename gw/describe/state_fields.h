@@ -77,7 +77,7 @@ inline constexpr auto fields_of<ViewportState> = std::tuple(
     field("x", &ViewportState::x, "R4.3", "Left pixel.", within(-4096, 4096)),
     field("y", &ViewportState::y, "R4.3", "Lower pixel.", within(-4096, 4096)),
     field("width", &ViewportState::width, "R4.3", "Pixels.",
-          by_rule("both 0, or each 1 .. 4096; 0: the window")),
+          by_rule("both 0, or each 1 .. 4096, with surfaces 8192; 0: the window")),
     field("height", &ViewportState::height, "R4.3", "Pixels.", by_rule("as `viewport.width`")));
 
 template <>

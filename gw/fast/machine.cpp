@@ -7,33 +7,71 @@
 #include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/tile_run.h"
 #include "gw/sample_queries.h"
+#include "gw/stages/pixels/blit.h"
+#include "gw/stages/pixels/plane_texels.h"
 #include "gw/stages/tables.h"
 
-#include <bit>
+#include <map>
+#include <memory>
 #include <utility>
 
 namespace gw {
 namespace fast {
 namespace {
 
+/// The tiles of a surface, and its planes in the host's layout, which are made when they are first
+/// asked for.
+struct Drawable {
+    Surface surface;
+    Profile profile;  ///< with its depth_bits
+    Frame frame;
+    Planes planes;
+    bool planes_are_current;  ///< they are those of the frame
+    KeptGeometry geometry;    ///< projected to this surface, while another one is in use
+
+    Drawable(const Surface& of, const Profile& p, int log2_tile)
+        : surface(of),
+          profile(profile_of(p, of)),
+          frame(of.width, of.height, log2_tile),
+          planes(of.is_window() ? Planes(of.width, of.height, p.color_planes) : Planes()),
+          planes_are_current(of.is_window()) {}
+    SegmentTarget target() const { return {surface, frame.grid()}; }
+    Planes& read(int threads) {
+        if (planes_are_current) return planes;
+        if (planes.width == 0) planes = Planes(surface);
+        frame.begin_read(planes);
+        parallel_for(frame.grid().count(), threads, [this](std::size_t i, int) {
+            write_back_blocks(frame.tile(i));
+            frame.read(i, planes);
+        });
+        planes_are_current = true;
+        return planes;
+    }
+};
+
 class FastMachine final : public Machine {
 public:
     FastMachine(const Profile& profile, int width, int height, const FastOptions& options)
-        : profile_(profile),
-          threads_(options.threads > 0 ? options.threads : hardware_threads()),
+        : threads_(options.threads > 0 ? options.threads : hardware_threads()),
+          log2_tile_(options.log2_tile),
           runner_(threads_),
-          frame_(width, height, options.log2_tile),
-          planes_(width, height, profile.color_planes) {}
+          window_({width, height, all_planes}, profile, log2_tile_) {
+        machine_.profile = profile;
+        machine_.surface_texels = [this](const SurfacePlane& plane) -> FastTexels& {
+            return texels_of(plane);
+        };
+    }
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         machine_.targets = std::exchange(next_targets_, {});
-        validate(list, profile_, grid().width, grid().height,
+        validate(list, profile(), window_.surface.width, window_.surface.height,
                  {machine_.state, machine_.slot_planes, machine_.targets,
-                  pass_name(machine_.passes), queries_.active()});
+                  pass_name(machine_.passes), queries_.active(), made_, number_});
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
-            rest = rest.subspan(plan_segment(rest, machine_, profile_, grid(), threads_));
+            rest = rest.subspan(
+                plan_segment(rest, machine_, used_->profile, used_->target(), threads_));
             run_segment();
             if (!rest.empty() && is_barrier(rest[0], machine_.passes)) {
                 std::visit([this](const auto& command) { run_barrier(command); }, rest[0]);
@@ -43,17 +81,7 @@ public:
         take_digests();
     }
 
-    const Planes& planes() override {
-        if (!planes_are_current_) {
-            frame_.begin_read(planes_);
-            parallel_for(grid().count(), threads_, [this](std::size_t i, int) {
-                write_back_blocks(frame_.tile(i));
-                frame_.read(i, planes_);
-            });
-        }
-        planes_are_current_ = true;
-        return planes_;
-    }
+    const Planes& planes() override { return window_.read(threads_); }
     const std::vector<PassReport>& passes() override { return machine_.passes; }
     void reset_passes() override {
         queries_.forget(machine_.passes);
@@ -63,22 +91,22 @@ public:
     void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
         next_targets_[key] = {values, layout};
     }
-    const Profile& profile() const override { return profile_; }
+    const Profile& profile() const override { return machine_.profile; }
 
 private:
-    const TileGrid& grid() const { return frame_.grid(); }
-
     void run_segment() {
         const Segment& segment = machine_.segment;
         if (segment.ops.empty()) return;
-        if (segment.uses_accum) frame_.need_accum();
-        if (segment.scan.color_plane()) frame_.use_color(*segment.scan.color_plane());
-        if (segment.uses_both_colors) frame_.need_other_color();
-        planes_are_current_ = false;
-        const std::vector<OpCounts> totals = runner_.run(segment, frame_, profile_);
+        Frame& frame = used_->frame;
+        if (segment.uses_accum) frame.need_accum();
+        if (segment.scan.color_plane()) frame.use_color(*segment.scan.color_plane());
+        if (segment.uses_both_colors) frame.need_other_color();
+        used_->planes_are_current = false;
+        forget_texels(number_);
+        const std::vector<OpCounts> totals = runner_.run(segment, frame, used_->profile);
         for (std::size_t i = 0; i < totals.size(); ++i) {
             const TileOp& op = segment.ops[segment.count_slots[i]];
-            machine_.passes[op.pass].counters += counters_of(op, totals[i], profile_);
+            machine_.passes[op.pass].counters += counters_of(op, totals[i], used_->profile);
         }
         end_segment(machine_);
     }
@@ -91,40 +119,98 @@ private:
                 pass.digests[std::size_t(plane)] = digest(planes(), plane);
     }
 
+    Drawable& drawable(std::uint32_t number) {
+        return number == 0 ? window_ : *surfaces_.at(number);
+    }
+    Resolved resolved() const { return resolve(machine_.state, used_->profile, used_->surface); }
+
+    FastTexels& texels_of(const SurfacePlane& from) {
+        const auto [found, is_new] = surface_texels_.try_emplace({from.surface, from.plane});
+        if (is_new) {
+            Drawable& surface = drawable(from.surface);
+            const Planes& planes = surface.read(threads_);
+            const Rect whole{0, 0, planes.width, planes.height};
+            found->second = make_fast_texels(
+                plane_texels(from.plane, whole, planes.color, planes, surface.profile));
+        }
+        return found->second;
+    }
+    void forget_texels(std::uint32_t number) {
+        if (surface_texels_.empty()) return;
+        surface_texels_.erase({number, Plane::Color});
+        surface_texels_.erase({number, Plane::Depth});
+    }
+
     void run_barrier(const BeginPass& command) {
         take_digests();
         machine_.passes.push_back({command.name, {}, command.digests, {}, {}});
     }
     void run_barrier(const Copy& command) {
-        const Resolved r = resolve(machine_.state, profile_, grid().width, grid().height);
-        planes();
-        count(
-            copy_pixels(command, r, planes_),
-            plane_bytes(command.plane, profile_) + written_bytes(command.plane, r.state, profile_));
-        frame_.write(planes_);
+        const Resolved r = resolved();
+        count(copy_pixels(command, r, used_->read(threads_)),
+              plane_bytes(command.plane, used_->profile) +
+                  written_bytes(command.plane, r.state, used_->profile));
+        write_planes();
+    }
+    /// The host's planes of the surface in use were changed.
+    void write_planes() {
+        used_->frame.write(used_->planes);
+        forget_texels(number_);
     }
     /// Draws what the source has now, as a segment of its own.
     void run_barrier(const DrawPixels& command) {
-        count(source_box(command, grid().width, grid().height).area(),
-              plane_bytes(command.source->plane, profile_));
-        const Command drawn = with_values(command, machine_.state.read_buffer, planes());
-        plan_segment({&drawn, 1}, machine_, profile_, grid(), threads_);
+        const Surface& surface = used_->surface;
+        count(source_box(command, surface.width, surface.height).area(),
+              plane_bytes(command.source->plane, used_->profile));
+        const Command drawn =
+            with_values(command, resolved().state.read_buffer, used_->read(threads_));
+        plan_segment({&drawn, 1}, machine_, used_->profile, used_->target(), threads_);
         run_segment();
     }
     void run_barrier(const CopyTexture& command) {
-        planes();
-        machine_.slots[command.slot] =
-            make_fast_texels(copied_texels(command, machine_.state.read_buffer, planes_, profile_));
+        machine_.slots[command.slot] = make_fast_texels(copied_texels(
+            command, resolved().state.read_buffer, used_->read(threads_), used_->profile));
         machine_.slot_planes[command.slot] = command.plane;
         count(std::uint64_t(command.rect.width) * std::uint64_t(command.rect.height),
-              plane_bytes(command.plane, profile_));
+              plane_bytes(command.plane, used_->profile));
     }
     void run_barrier(const SwapBuffers&) {
-        frame_.swap_colors();
-        std::swap(planes_.color, planes_.back);
+        window_.frame.swap_colors();
+        std::swap(window_.planes.color, window_.planes.back);
         count(0, 0);
     }
     void run_barrier(const Query& command) { queries_.run(command, machine_.passes); }
+    void run_barrier(const MakeSurface& command) {
+        surfaces_.erase(command.number);
+        made_.erase(command.number);
+        forget_texels(command.number);
+        count(0, 0);
+        if (command.surface.width == 0) return;
+        surfaces_[command.number] =
+            std::make_unique<Drawable>(command.surface, profile(), log2_tile_);
+        made_[command.number] = command.surface;
+    }
+    void run_barrier(const UseSurface& command) {
+        std::swap(machine_.geometry, used_->geometry);
+        number_ = command.number;
+        used_ = &drawable(number_);
+        std::swap(machine_.geometry, used_->geometry);
+        count(0, 0);
+    }
+    void run_barrier(const Blit& command) {
+        const Resolved r = resolved();
+        Drawable& from = drawable(command.from_surface);
+        const Planes source = from.read(threads_);  // a copy: it may be the target, too
+        Planes& to = used_->read(threads_);
+        const Profile& p = used_->profile;
+        const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+        for (const Plane plane : every_plane)
+            if (planes & mask_of(plane))
+                count(blit_plane(command, plane, {from.surface, source, machine_.state.read_buffer},
+                                 r, p.color_bits, to),
+                      plane_bytes(plane, p) + written_bytes(plane, r.state, p));
+        write_planes();
+    }
     void run_barrier(const auto&) {}
 
     void count(std::uint64_t pixels, std::uint64_t bytes) {
@@ -133,12 +219,14 @@ private:
         machine_.passes.back().counters.bytes += pixels * bytes;
     }
 
-    Profile profile_;
-    int threads_;
+    int threads_, log2_tile_;
     TileRunner runner_;
-    Frame frame_;
-    Planes planes_;
-    bool planes_are_current_ = true;
+    Drawable window_;
+    std::map<std::uint32_t, std::unique_ptr<Drawable>> surfaces_;
+    std::map<std::uint32_t, Surface> made_;  ///< of surfaces_
+    std::uint32_t number_ = 0;               ///< of the surface in use
+    Drawable* used_ = &window_;
+    std::map<std::pair<std::uint32_t, Plane>, FastTexels> surface_texels_;
     MachineState machine_;
     SampleQueries queries_;
     ReadTargets next_targets_;

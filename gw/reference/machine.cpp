@@ -9,9 +9,11 @@
 #include "gw/sample_queries.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/pixels/draw_pixels.h"
+#include "gw/stages/pixels/plane_texels.h"
 #include "gw/stages/tables.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -35,15 +37,19 @@ void store(const Readback& read, const ReadTarget& to) {
 class ReferenceMachine final : public Machine {
 public:
     ReferenceMachine(const Profile& profile, int width, int height, Observer* observer)
-        : profile_(profile), observer_(observer), planes_(width, height, profile.color_planes) {}
+        : profile_(profile),
+          observer_(observer),
+          window_{
+              {width, height, all_planes}, profile, Planes(width, height, profile.color_planes)} {}
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
         targets_ = std::exchange(next_targets_, {});
         // Nobody else has these textures any more.
         std::erase_if(texels_, [](const auto& kept) { return kept.first.use_count() == 1; });
-        validate(list, profile_, planes_.width, planes_.height,
-                 {state_, slot_planes_, targets_, pass_name(passes_), queries_.active()});
+        validate(list, profile_, window_.surface.width, window_.surface.height,
+                 {state_, slot_planes_, targets_, pass_name(passes_), queries_.active(), made_,
+                  number_});
         for (std::size_t i = 0; i < list.commands.size(); ++i) {
             if (observer_) observer_->begin_command(i);
             std::visit([this](const auto& command) { run_command(command); }, list.commands[i]);
@@ -51,7 +57,7 @@ public:
         take_digests();
     }
 
-    const Planes& planes() override { return planes_; }
+    const Planes& planes() override { return window_.planes; }
     const std::vector<PassReport>& passes() override { return passes_; }
     void reset_passes() override {
         queries_.forget(passes_);
@@ -70,21 +76,39 @@ private:
     }
 
     FragmentTarget target(const Resolved& r) {
-        return {&planes_, &pass().counters, observer_, fragment_bytes(r, profile_)};
+        return {&used().planes, &pass().counters, number_ == 0 ? observer_ : nullptr,
+                fragment_bytes(r, used().profile)};
     }
 
-    Resolved resolved() const { return resolve(state_, profile_, planes_.width, planes_.height); }
+    Resolved resolved() { return resolve(state_, used().profile, used().surface); }
+
+    struct Drawable {
+        Surface surface;
+        Profile profile;  ///< with its depth_bits
+        Planes planes;
+    };
+    Drawable& drawable(std::uint32_t number) {
+        return number == 0 ? window_ : surfaces_.at(number);
+    }
+    Drawable& used() { return drawable(number_); }
 
     /// The digests of the current pass.
     void take_digests() {
         if (passes_.empty()) return;
         for (const Plane plane : every_plane)
             if (passes_.back().digested & mask_of(plane))
-                passes_.back().digests[std::size_t(plane)] = digest(planes_, plane);
+                passes_.back().digests[std::size_t(plane)] = digest(window_.planes, plane);
     }
 
-    const Texels* texels(const TextureBinding& binding) {
+    const Texels* texels(const TextureBinding& binding, std::size_t unit) {
         if (binding.slot) return &slots_.at(*binding.slot);
+        if (binding.surface) {
+            const Drawable& from = surfaces_.at(binding.surface->surface);
+            const Rect whole{0, 0, from.surface.width, from.surface.height};
+            return &(surface_texels_[unit] =
+                         plane_texels(binding.surface->plane, whole, from.planes.color, from.planes,
+                                      from.profile));
+        }
         if (!binding.texture) return nullptr;
         auto& entry = texels_[binding.texture];
         if (entry.levels.empty()) entry = make_texels(*binding.texture, texel_bits_of(profile_));
@@ -94,7 +118,7 @@ private:
     BoundTexels bound(const auto& command) {
         BoundTexels out{};
         for (std::size_t unit = 0; unit < out.size(); ++unit)
-            out[unit] = texels(map_of(command, unit));
+            out[unit] = texels(map_of(command, unit), unit);
         return out;
     }
 
@@ -114,7 +138,7 @@ private:
     }
     void run_command(const SetState& command) { state_ = command.state; }
     void run_command(const Draw& command) {
-        DrawContext context{&command, &profile_, resolved(), {}, {}, {}};
+        DrawContext context{&command, &used().profile, resolved(), {}, {}, {}};
         context.target = target(context.state);
         if (state_.color_source != ColorSource::PolygonId) context.texels = bound(command);
         if (context.state.fragment_fog && state_.fog.enable)
@@ -123,6 +147,11 @@ private:
         draw_mesh(context);
         count_texels(before, context.texels);
     }
+    void run_command(Clear command) {
+        const Resolved r = resolved();
+        command.planes &= used().surface.planes;
+        run(command, r, target(r), used().profile);
+    }
     void run_command(const WriteSpans& command) {
         const Resolved r = resolved();
         run(command, r, target(r));
@@ -130,24 +159,45 @@ private:
     void run_command(const DrawPixels& command) {
         const Resolved r = resolved();
         if (command.source) {
-            count_source(command, target(r), profile_);
-            return run_command(with_values(command, state_.read_buffer, planes_));
+            count_source(command, target(r), used().profile);
+            return run_command(with_values(command, r.state.read_buffer, used().planes));
         }
-        const BoundTexels used = bound(command);
+        const BoundTexels maps = bound(command);
         const std::uint64_t before = pass().counters.fragments;
-        run(command, r, target(r), profile_, used);
-        count_texels(before, used);
+        run(command, r, target(r), used().profile, maps);
+        count_texels(before, maps);
     }
     void run_command(const Query& command) { queries_.run(command, passes_); }
     void run_command(const SwapBuffers& command) { run(command, target(resolved())); }
     void run_command(const CopyTexture& command) {
         const Resolved r = resolved();
-        slots_[command.slot] = copied_texels(command, r, target(r), profile_);
+        slots_[command.slot] = copied_texels(command, r, target(r), used().profile);
         slot_planes_[command.slot] = command.plane;
+    }
+    void run_command(const MakeSurface& command) {
+        pass();
+        surfaces_.erase(command.number);
+        made_.erase(command.number);
+        if (command.surface.width == 0) return;
+        surfaces_.emplace(command.number,
+                          Drawable{command.surface, profile_of(profile_, command.surface),
+                                   Planes(command.surface)});
+        made_[command.number] = command.surface;
+    }
+    void run_command(const UseSurface& command) {
+        pass();
+        number_ = command.number;
+    }
+    void run_command(const Blit& command) {
+        const Drawable& from = drawable(command.from_surface);
+        const Planes before = from.planes;  // it may be the target, too
+        const Resolved r = resolved();
+        run(command, {from.surface, before, state_.read_buffer}, used().surface, r, target(r),
+            used().profile);
     }
     void run_command(const Read& command) {
         const Resolved r = resolved();
-        Readback result = run(command, r, target(r), profile_);
+        Readback result = run(command, r, target(r), used().profile);
         if (const auto to = targets_.find(command.key); to != targets_.end())
             store(result, to->second);
         else
@@ -155,12 +205,16 @@ private:
     }
     void run_command(const auto& command) {
         const Resolved r = resolved();
-        run(command, r, target(r), profile_);
+        run(command, r, target(r), used().profile);
     }
 
     Profile profile_;
     Observer* observer_;
-    Planes planes_;
+    Drawable window_;
+    std::map<std::uint32_t, Drawable> surfaces_;
+    std::map<std::uint32_t, Surface> made_;                 ///< of surfaces_
+    std::uint32_t number_ = 0;                              ///< of the surface in use
+    std::array<Texels, max_texture_units> surface_texels_;  ///< of the command in execution
     State state_;
     std::vector<PassReport> passes_;
     SampleQueries queries_;

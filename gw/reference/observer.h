@@ -32,7 +32,8 @@ struct PixelValues {
 };
 
 inline PixelValues values_at(const Planes& planes, std::size_t index) {
-    return {planes.color[index], planes.depth[index], planes.stencil[index], planes.accum[index],
+    return {planes.color[index], planes.depth[index], planes.stencil[index],
+            planes.accum.empty() ? std::array<std::int32_t, 4>{} : planes.accum[index],
             planes.back.empty() ? Rgba{} : planes.back[index]};
 }
 

@@ -1,7 +1,9 @@
 #include "gw/reference/pixels.h"
 
 #include "gw/stages/accumulation.h"
+#include "gw/stages/pixels/blit.h"
 #include "gw/stages/pixels/draw_pixels.h"
+#include "gw/stages/pixels/plane_texels.h"
 
 namespace gw::reference {
 namespace {
@@ -148,7 +150,7 @@ void count_source(const DrawPixels& command, const FragmentTarget& target, const
 
 void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile, const BoundTexels& texels) {
-    const PlacedPixels placed(command, r, profile, texels);
+    const PlacedPixels placed(command, r, texels);
     const Rect& box = placed.box();
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) {
@@ -202,20 +204,35 @@ Readback run(const Read& command, const Resolved& r, const FragmentTarget& targe
     return out;
 }
 
+void run(const Blit& command, const BlitSource& from, const Surface& to, const Resolved& r,
+         const FragmentTarget& target, const Profile& profile) {
+    const std::vector<Planes> before(target.observer ? 1 : 0, *target.planes);
+    const PlaneMask blitted = blitted_planes(command, from.surface, to);
+    for (const Plane plane : every_plane) {
+        if ((blitted & mask_of(plane)) == 0) continue;
+        const std::uint64_t pixels =
+            blit_plane(command, plane, from, r, profile.color_bits, *target.planes);
+        target.counters->pixels += pixels;
+        target.counters->bytes +=
+            pixels * (plane_bytes(plane, profile) + written_bytes(plane, r.state, profile));
+    }
+    if (!target.observer) return;
+    const Rect box = intersect(r.pixel_box, command.target);
+    for (int y = box.y; y < box.y + box.height; ++y)
+        for (int x = box.x; x < box.x + box.width; ++x) {
+            const std::size_t i = target.planes->index(x, y);
+            target.observer->pixel(x, y, values_at(before[0], i), values_at(*target.planes, i));
+        }
+}
+
 Texels copied_texels(const CopyTexture& command, const Resolved& r, const FragmentTarget& target,
                      const Profile& profile) {
-    const Rect& rect = command.rect;
-    Texels t{profile.color_bits};
-    t.add_level(rect.width, rect.height);
-    std::size_t next = 0;
-    for_pixels(rect, target, plane_bytes(command.plane, profile), [&](std::size_t i, int, int) {
-        const PixelValues v = read_values(r, *target.planes, i);
-        const auto grey =
-            static_cast<std::uint16_t>(rescale(v.depth, profile.depth_bits, profile.color_bits));
-        t.set(next++, command.plane == Plane::Color ? v.color : Rgba{grey, grey, grey, grey});
-        if (command.plane == Plane::Depth) t.depths.push_back(v.depth);
-    });
-    return t;
+    const Planes& planes = *target.planes;
+    for_pixels(command.rect, target, plane_bytes(command.plane, profile),
+               [](std::size_t, int, int) {});
+    return plane_texels(command.plane, command.rect,
+                        r.state.read_buffer == ReadBuffer::Back ? planes.back : planes.color,
+                        planes, profile);
 }
 
 }  // namespace gw::reference

@@ -5,6 +5,7 @@
 #include "gw/command_list.h"
 #include "gw/machine.h"
 #include "gw/reference/fragment.h"
+#include "gw/stages/pixels/blit.h"
 #include "gw/stages/texels.h"
 
 namespace gw::reference {
@@ -27,6 +28,10 @@ void run(const DrawPixels& command, const Resolved& state, const FragmentTarget&
 void run(const SwapBuffers& command, const FragmentTarget& target);
 Readback run(const Read& command, const Resolved& state, const FragmentTarget& target,
              const Profile& profile);
+
+/// Copies from a surface to the one in use; `to` says which planes that has.
+void run(const Blit& command, const BlitSource& from, const Surface& to, const Resolved& state,
+         const FragmentTarget& target, const Profile& profile);
 
 /// The texels of a slot, from a rectangle of the colour or depth plane.
 Texels copied_texels(const CopyTexture& command, const Resolved& state,

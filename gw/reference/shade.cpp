@@ -39,8 +39,7 @@ Rgba textured_color(const Shader& s, const Rgba& primary, int x, int y) {
     UnitTexels texels;
     for (std::size_t unit = 0; unit < max_texture_units; ++unit)
         if (const Texels* const of = s.context.texels[unit])
-            texels.set(unit, of->format,
-                       texel_at(s.values, unit, *of, r, s.context.profile->depth_bits, x, y));
+            texels.set(unit, of->format, texel_at(s.values, unit, *of, r, x, y));
     Rgba color = primary;
     for (std::size_t unit = 0; unit < max_texture_units; ++unit)
         if (texels.has(unit))

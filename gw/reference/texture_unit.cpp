@@ -55,16 +55,17 @@ Rgba grey(std::uint32_t v) {
 
 /// Whether r passes the comparison with the depth of the nearest texel.
 bool is_lit(const Coordinates& at, const Texels& texels, const TexelLevel& level,
-            const TextureState& s, const ResolvedTexture& r, int depth_bits) {
+            const TextureState& s, const ResolvedTexture& r) {
     const TextureValues& v = at.values;
+    const int bits = texels.depth_bits;
     const int i = at.at(v.s, level.width, s.wrap_s) >> 8;
     const int j = at.at(v.t, level.height, s.wrap_t) >> 8;
-    const double depth = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + depth_bits);
+    const double depth = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + bits);
     const auto incoming =
-        static_cast<std::uint32_t>(to_integer(std::floor(depth), 0, max_of_bits(depth_bits)));
-    return compare(
-        s.compare_func, incoming,
-        nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j, r.border_depth));
+        static_cast<std::uint32_t>(to_integer(std::floor(depth), 0, max_of_bits(bits)));
+    return compare(s.compare_func, incoming,
+                   nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j,
+                                 s.border_color.x));
 }
 
 PixelCoordinates coordinates_with_r(const TextureValues& v, int x, int y, int dx, int dy) {
@@ -77,20 +78,19 @@ PixelCoordinates coordinates_with_r(const TextureValues& v, int x, int y, int dx
 }  // namespace
 
 Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels,
-              const Resolved& resolved, int depth_bits, int x, int y) {
+              const Resolved& resolved, int x, int y) {
     const TextureValues& v = values.textures[unit];
     const TextureState& s = texture_of(resolved.state, unit);
     const ResolvedTexture& r = resolved.texture(unit);
     const int dx = x - values.slope_x, dy = y - values.slope_y;
-    if (texels.with_r)
-        return texel_with_r(texels, s, r, depth_bits, coordinates_with_r(v, x, y, dx, dy));
+    if (texels.with_r) return texel_with_r(texels, s, r, coordinates_with_r(v, x, y, dx, dy));
     const std::uint32_t one = max_of_bits(texels.bits);
     if (v.projective && v.q.at(x, y) < 1) return grey(one);
     const float w = reciprocal(v.q, x, y);
     const Coordinates at{v, x, y, w, texels.any_size};
     const int base = level_range(s, int(texels.levels.size())).base;
     const TexelLevel& first = texels.levels[std::size_t(base)];
-    if (s.shadow_compare) return grey(is_lit(at, texels, first, s, r, depth_bits) ? one : 0);
+    if (s.shadow_compare) return grey(is_lit(at, texels, first, s, r) ? one : 0);
 
     LevelChoice choice{.magnify = true, .level = base};
     if (needs_rho(s))

@@ -13,6 +13,6 @@ int level_coordinate(const PerspectiveValue& value, float uw, int log2_size, Wra
 
 /// The value of a unit's texture at a pixel that the primitive covers.
 Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels,
-              const Resolved& state, int depth_bits, int x, int y);
+              const Resolved& state, int x, int y);
 
 }  // namespace gw::reference

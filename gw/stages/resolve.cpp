@@ -6,6 +6,8 @@
 #include "gw/stages/tables.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace gw {
 
@@ -46,8 +48,7 @@ ResolvedTexture resolve_texture(const TextureState& s, const Profile& profile) {
             .border_color = quantize_color(s.border_color, profile.color_bits),
             .rho_scale = two_to_the(s.lod.bias),
             .least_rho = two_to_the(s.lod.min),
-            .greatest_rho = two_to_the(s.lod.max),
-            .border_depth = std::uint32_t(quantize(s.border_color.x, profile.depth_bits))};
+            .greatest_rho = two_to_the(s.lod.max)};
 }
 
 ViewportTransform viewport_transform(const Rect& v, const ClipControlState& control) {
@@ -101,6 +102,17 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     const ColorMask& m = r.state.color_mask;
     r.writes_color = m.r || m.g || m.b || m.a;
     return r;
+}
+
+Resolved resolve(const State& state, const Profile& profile, const Surface& surface) {
+    if (surface.is_window()) return resolve(state, profile, surface.width, surface.height);
+    State s = state;
+    s.read_buffer = ReadBuffer::Front;
+    if (s.draw_buffer != DrawBuffer::None) s.draw_buffer = DrawBuffer::Front;
+    if (!surface.has(Plane::Color)) s.draw_buffer = DrawBuffer::None;
+    if (!surface.has(Plane::Depth)) s.depth = {.mask = false};
+    if (!surface.has(Plane::Stencil)) s.stencil = {.write_mask = 0};
+    return resolve(s, profile, surface.width, surface.height);
 }
 
 std::uint64_t plane_bytes(Plane plane, const Profile& profile) {

@@ -22,7 +22,6 @@ struct ResolvedTexture {
     Rgba env_color{}, border_color{};
     /// texture.lod: the scale factor of texels is multiplied, then clamped
     float rho_scale = 1, least_rho = 0, greatest_rho = 0;
-    std::uint32_t border_depth = 0;  ///< the border of depths
 };
 
 /// The members of ResolvedTexture are those of unit 0.
@@ -50,7 +49,10 @@ struct Resolved : ResolvedTexture {
     }
 };
 
+/// Of the window.
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
+/// Of any surface. Planes that it lacks are neither tested nor written.
+Resolved resolve(const State& state, const Profile& profile, const Surface& surface);
 
 /// The polygon mode of a face.
 constexpr PolygonMode mode_of(const State& s, bool front) {

@@ -166,7 +166,10 @@ Texels make_texels(const Texture& texture, const TexelBits& bits) {
     std::size_t count = 0;
     for (const TextureLevel& from : texture.levels)
         count += std::size_t(from.width) * std::size_t(from.height) * std::size_t(from.layers);
-    if (texture.depths) t.depths.resize(count);
+    if (texture.depths) {
+        t.depths.resize(count);
+        t.depth_bits = bits.depth;
+    }
     if (t.bits == 8)
         t.packed.reserve(count);
     else
@@ -232,10 +235,11 @@ Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressin
 }
 
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
-                            int i, int j, std::uint32_t border) {
+                            int i, int j, double border) {
     i = wrap_index(how.wrap_s, i, level.width);
     j = wrap_index(how.wrap_t, j, level.height);
-    return is_outside(level, i, j) ? border : texels.depths[level.index(i, j)];
+    return is_outside(level, i, j) ? std::uint32_t(quantize(border, texels.depth_bits))
+                                   : texels.depths[level.index(i, j)];
 }
 
 Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,

@@ -38,7 +38,8 @@ struct Texels {
     std::vector<TexelLevel> levels;
     std::vector<std::uint32_t> packed;  ///< all levels' texels if bits == 8: packed()
     std::vector<Rgba> wide;             ///< else
-    std::vector<std::uint32_t> depths;  ///< of a depth slot or texture, as many as texels
+    std::vector<std::uint32_t> depths;  ///< of a depth plane or texture, as many as texels
+    int depth_bits = 0;                 ///< of `depths`
 
     /// A level more, of black texels.
     TexelLevel& add_level(int width, int height, int layers = 1);
@@ -124,9 +125,9 @@ int clamped_position(Wrap wrap, int u, int size);
 /// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
 int filter_index(Wrap wrap, int i, int size);
 
-/// The depth at texel (i, j) of a level that has depths; `border` outside of it.
+/// The depth at texel (i, j) of a level that has depths; outside of it that of the border, 0 .. 1.
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
-                            int i, int j, std::uint32_t border);
+                            int i, int j, double border);
 
 /// The mean of two levels, weight f in 0 .. 255 of 256 for `b`.
 Rgba between_levels(const Rgba& a, const Rgba& b, std::uint32_t f);

@@ -91,6 +91,7 @@ dvec4 texture_coordinates(const TextureState& state, const TexgenInput& vertex) 
 bool divides_by_q(const TextureState& state, const Draw& draw, std::size_t unit) {
     const TextureBinding& map = map_of(draw, unit);
     if (map.texture && needs_r(*map.texture)) return true;
+    if (map.surface && map.surface->plane == Plane::Depth) return true;
     const bool takes_given = state.gen == TexGen::None || state.gen == TexGen::PerCoordinate;
     return generates_q(state) || !keeps_q(state.matrix) || (takes_given && gives_q(draw, unit));
 }

@@ -16,7 +16,8 @@ namespace gw {
 /// The position in the list, and checks that throw Error with it.
 struct Checker {
     const Profile& profile;
-    int width = 0, height = 0;
+    Surface window;
+    int width = 0, height = 0, depth_bits = 24;  ///< of the surface in use
     std::size_t command = 0;
     const char* name = "";
     std::string_view pass{};
@@ -49,6 +50,14 @@ struct Checker {
     void color_plane(const char* what, bool is_there, const char* value) const {
         if (!is_there)
             fail(fmt::format("{} = {}; expected a plane of profile {}", what, value, profile.name));
+    }
+    /// The largest side of a rectangle or a viewport: that of a surface, or of a window.
+    bool is_side(int least, int v) const {
+        const bool large = profile.extensions.surfaces;
+        return v >= least && v <= (large ? max_surface_size : max_window_size);
+    }
+    const char* sides(const char* of_window, const char* of_surface) const {
+        return profile.extensions.surfaces ? of_surface : of_window;
     }
     void position(const char* what, int v) const {
         require(v >= -max_window_size && v <= max_window_size, what, v, "-4096 to 4096");
@@ -84,5 +93,8 @@ void check(const Checker& c, const TextureBinding& map);
 void check(const Checker& c, const MoreBindings& maps);
 void check(const Checker& c, const SwapBuffers& swap);
 void check(const Checker& c, const Query& query);
+void check(const Checker& c, const MakeSurface& make);
+void check(const Checker& c, const UseSurface& use);
+void check(const Checker& c, const Blit& blit);
 
 }  // namespace gw

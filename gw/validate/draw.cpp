@@ -29,6 +29,9 @@ void check_material(const Checker& c, const Material& m) {
 
 void check(const Checker& c, const TextureBinding& map) {
     if (map.texture && map.slot) c.fail("both a texture and a slot; expected one of them");
+    c.extension(map.surface.has_value(), c.profile.extensions.surfaces, "surfaces");
+    if (map.surface && (map.texture || map.slot))
+        c.fail("a surface and another texture; expected one of them");
     if (!map.texture) return;
     const Extensions& e = c.profile.extensions;
     c.extension(map.texture->border, e.texture_border, "texture_border");

@@ -44,20 +44,99 @@ void check_target(const Checker& c, const Read& read, const ListContext& context
               "those of the whole window");
 }
 
-void check_in_context(const Checker&, const auto&, const ListContext&) {}
-void check_slots(const Checker& c, const auto& command, const ListContext& context) {
-    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
-        check_slot(c, map_of(command, unit), texture_of(context.state, unit).shadow_compare,
-                   context);
+/// The surface of a number, which has to be there. The window is always there.
+Surface surface_of(const Checker& c, const ListContext& context, std::uint32_t number) {
+    if (number == 0) return c.window;
+    const auto found = context.surfaces.find(number);
+    if (found == context.surfaces.end())
+        c.fail(fmt::format("there is no surface {}; expected a MakeSurface before", number));
+    return found->second;
 }
+
+void use(Checker& c, const ListContext& context) {
+    const Surface surface = surface_of(c, context, context.surface);
+    c.width = surface.width;
+    c.height = surface.height;
+    c.depth_bits = depth_bits(c.profile, surface);
+}
+
+/// Commands that read a plane need one.
+void check_has(const Checker& c, const ListContext& context, Plane plane) {
+    if (context.surface != 0 && !surface_of(c, context, context.surface).has(plane))
+        c.fail(fmt::format("plane = {}; expected a plane of surface {}", name_of(plane),
+                           context.surface));
+}
+
+/// A plane of a surface as texture.
+void check_map(const Checker& c, const SurfacePlane& map, bool compares,
+               const ListContext& context) {
+    if (map.surface == 0) c.fail("the window as texture; expected a surface");
+    if (map.surface == context.surface)
+        c.fail(fmt::format("surface {} as texture while it is drawn to; expected another surface",
+                           map.surface));
+    const Surface surface = surface_of(c, context, map.surface);
+    if ((map.plane != Plane::Color && map.plane != Plane::Depth) || !surface.has(map.plane))
+        c.fail(fmt::format("{} of surface {} as texture; expected a plane of colours or depths",
+                           name_of(map.plane), map.surface));
+    if (compares && map.plane != Plane::Depth)
+        c.fail(fmt::format("texture.shadow_compare with colours of surface {}; expected depths",
+                           map.surface));
+}
+
+/// The textures of all units.
+void check_maps(const Checker& c, const auto& command, const ListContext& context) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+        const TextureBinding& map = map_of(command, unit);
+        const bool compares = texture_of(context.state, unit).shadow_compare;
+        map.surface ? check_map(c, *map.surface, compares, context)
+                    : check_slot(c, map, compares, context);
+    }
+}
+
+/// Commands that act on the window only.
+void check_window_only(const Checker& c, const ListContext& context) {
+    if (context.surface != 0)
+        c.fail(fmt::format("surface {} is in use; expected the window", context.surface));
+}
+
+void check_in_context(const Checker&, const auto&, const ListContext&) {}
 void check_in_context(const Checker& c, const Draw& draw, const ListContext& context) {
-    check_slots(c, draw, context);
+    check_maps(c, draw, context);
 }
 void check_in_context(const Checker& c, const DrawPixels& draw, const ListContext& context) {
-    check_slots(c, draw, context);
+    check_maps(c, draw, context);
+    if (draw.source) check_has(c, context, draw.source->plane);
 }
 void check_in_context(const Checker& c, const Read& read, const ListContext& context) {
+    check_has(c, context, read.plane);
     check_target(c, read, context);
+}
+void check_in_context(const Checker& c, const Copy& copy, const ListContext& context) {
+    check_has(c, context, copy.plane);
+}
+void check_in_context(const Checker& c, const CopyTexture& copy, const ListContext& context) {
+    check_has(c, context, copy.plane);
+}
+void check_in_context(const Checker& c, const Accumulate&, const ListContext& context) {
+    check_window_only(c, context);
+}
+void check_in_context(const Checker& c, const SwapBuffers&, const ListContext& context) {
+    check_window_only(c, context);
+}
+void check_in_context(const Checker& c, const MakeSurface& make, const ListContext& context) {
+    if (make.number == context.surface)
+        c.fail(fmt::format("surface {} is in use; expected another one", make.number));
+}
+void check_in_context(const Checker& c, const UseSurface& use, const ListContext& context) {
+    surface_of(c, context, use.number);
+}
+void check_in_context(const Checker& c, const Blit& blit, const ListContext& context) {
+    const Surface from = surface_of(c, context, blit.from_surface),
+                  to = surface_of(c, context, context.surface);
+    const bool depths = (blit.planes & from.planes & to.planes & mask_of(Plane::Depth)) != 0;
+    if (depths && depth_bits(c.profile, from) != depth_bits(c.profile, to))
+        c.fail(fmt::format("depths of {} bits to {} bits; expected as many",
+                           depth_bits(c.profile, from), depth_bits(c.profile, to)));
 }
 
 /// A query begins if none is active, and ends if it is.
@@ -80,6 +159,19 @@ void follow(const CopyTexture& copy, ListContext& context) {
 }
 void follow(const BeginPass& begin, ListContext& context) { context.pass = begin.name; }
 
+/// Of a command that is valid.
+void end(Checker&, const auto&, ListContext&) {}
+void end(Checker&, const MakeSurface& make, ListContext& context) {
+    if (make.surface.width == 0)
+        context.surfaces.erase(make.number);
+    else
+        context.surfaces[make.number] = make.surface;
+}
+void end(Checker& c, const UseSurface& command, ListContext& context) {
+    context.surface = command.number;
+    use(c, context);
+}
+
 /// Prefetches a later draw, and the materials of the mesh of a draw between. Inlined: GCC leaves out
 /// calls of functions that only prefetch.
 [[gnu::always_inline]] inline void prefetch_checked(std::span<const Command> commands,
@@ -101,7 +193,8 @@ void check_window(int width, int height) {
 
 void validate(const CommandList& list, const Profile& profile, int width, int height,
               ListContext context) {
-    Checker checker{profile, width, height};
+    Checker checker{profile, {width, height, all_planes}};
+    use(checker, context);
     for (const Command& command : list.commands) {
         prefetch_checked(list.commands, checker.command);
         std::visit(
@@ -114,6 +207,7 @@ void validate(const CommandList& list, const Profile& profile, int width, int he
                 check(checker, c);
                 check_in_context(checker, c, context);
                 if constexpr (is_query) follow(c, context);
+                end(checker, c, context);
             },
             command);
         checker.command += 1;

@@ -28,8 +28,7 @@ void check_values(const Checker& c, const std::vector<std::uint32_t>& values, in
 }
 
 void check_depth(const Checker& c, std::uint32_t depth) {
-    c.require(depth <= max_of_bits(c.profile.depth_bits), "depth", depth,
-              "a value of the depth plane");
+    c.require(depth <= max_of_bits(c.depth_bits), "depth", depth, "a value of the depth plane");
 }
 
 /// The plane of a copy or a rectangle.
@@ -39,8 +38,9 @@ void check_plane(const Checker& c, Plane plane) {
 }
 
 void check_size(const Checker& c, const Rect& r) {
-    c.require(r.width >= 0 && r.width <= max_window_size, "rect.width", r.width, "0 to 4096");
-    c.require(r.height >= 0 && r.height <= max_window_size, "rect.height", r.height, "0 to 4096");
+    const char* const expected = c.sides("0 to 4096", "0 to 8192");
+    c.require(c.is_side(0, r.width), "rect.width", r.width, expected);
+    c.require(c.is_side(0, r.height), "rect.height", r.height, expected);
 }
 
 void check_inside(const Checker& c, const Rect& r) {
@@ -75,8 +75,7 @@ void check(const Checker& c, const WritePixels& w) {
     const std::size_t given = w.plane == Plane::Color ? w.colors.size() : w.values.size();
     c.require(given == w.rect.area(), "pixels given", given, "width times height");
     check_depth(c, w.depth);
-    check_values(c, w.values,
-                 w.plane == Plane::Stencil ? c.profile.stencil_bits : c.profile.depth_bits);
+    check_values(c, w.values, w.plane == Plane::Stencil ? c.profile.stencil_bits : c.depth_bits);
 }
 
 void check(const Checker& c, const Copy& copy) {
@@ -150,7 +149,7 @@ void check(const Checker& c, const DrawPixels& d) {
     c.finite("zoom_y", d.zoom_y);
     check_given(c, d);
     check_colors(c, d.colors);
-    check_values(c, d.depths, c.profile.depth_bits);
+    check_values(c, d.depths, c.depth_bits);
     check_values(c, d.stencils, c.profile.stencil_bits);
     check(c, d.map);
     if (d.more_maps) check(c, *d.more_maps);

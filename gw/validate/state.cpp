@@ -189,10 +189,9 @@ void check_buffers(const Checker& c, const State& s) {
 
 void check_viewport(const Checker& c, const ViewportState& v) {
     const bool whole = v.width == 0 && v.height == 0;
-    c.require(whole || (v.width >= 1 && v.width <= max_window_size), "viewport.width", v.width,
-              "1 to 4096");
-    c.require(whole || (v.height >= 1 && v.height <= max_window_size), "viewport.height", v.height,
-              "1 to 4096");
+    const char* const expected = c.sides("1 to 4096", "1 to 8192");
+    c.require(whole || c.is_side(1, v.width), "viewport.width", v.width, expected);
+    c.require(whole || c.is_side(1, v.height), "viewport.height", v.height, expected);
 }
 
 }  // namespace

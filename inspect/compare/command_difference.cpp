@@ -127,6 +127,19 @@ inline constexpr auto members_of<CopyTexture> = std::tuple(named("slot", &CopyTe
                                                            named("rect", &CopyTexture::rect));
 
 template <>
+inline constexpr auto members_of<MakeSurface> = std::tuple(named("number", &MakeSurface::number),
+                                                           named("surface", &MakeSurface::surface));
+
+template <>
+inline constexpr auto members_of<UseSurface> = std::tuple(named("number", &UseSurface::number));
+
+template <>
+inline constexpr auto members_of<Blit> = std::tuple(
+    named("from_surface", &Blit::from_surface), named("planes", &Blit::planes),
+    named("source", &Blit::source), named("target", &Blit::target), named("flip_x", &Blit::flip_x),
+    named("flip_y", &Blit::flip_y), named("filter", &Blit::filter));
+
+template <>
 inline constexpr auto members_of<Read> = std::tuple(named("key", &Read::key),
                                                     named("plane", &Read::plane),
                                                     named("rect", &Read::rect),
@@ -178,6 +191,7 @@ Parts difference(const Struct& a, const Struct& b) {
 
 Parts difference(const TextureBinding& a, const TextureBinding& b) {
     if (a.slot != b.slot) return difference("texture slot", a.slot, b.slot);
+    if (a.surface != b.surface) return difference("texture's surface", a.surface, b.surface);
     if (a.texture == b.texture) return {};
     if (a.texture && b.texture) {
         const Texture &p = *a.texture, &q = *b.texture;

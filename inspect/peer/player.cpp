@@ -86,6 +86,12 @@ struct Player::Context {
     void run(const Read&) {}
     void run(const SwapBuffers&) { colors.exchange(); }
     void run(const Query&) {}
+    void run(const MakeSurface&) { refuse_surfaces(); }
+    void run(const UseSurface&) { refuse_surfaces(); }
+    void run(const Blit&) { refuse_surfaces(); }
+    [[noreturn]] static void refuse_surfaces() {
+        throw Error("surfaces: here is one window, and no surface");
+    }
     void run(const Clear& c) {
         show_drawn();
         clear(c, accum_divisor(profile));

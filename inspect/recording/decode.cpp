@@ -71,32 +71,33 @@ private:
         return clear;
     }
     Command command(const gwt::SetState& c) { return SetState{at(states_, c.state(), "state")}; }
-    TextureBinding binding(std::uint32_t texture, std::uint32_t slot) const;
+    TextureBinding binding(std::uint32_t texture, std::uint32_t slot, std::uint32_t surface,
+                           gwt::Plane plane) const;
     std::shared_ptr<const MoreBindings> more_maps(const auto& command) const;
     Command command(const gwt::Draw& c);
     Command command(const gwt::WriteSpans& c) {
         return WriteSpans{structs<Span>(c.spans()), structs<Rgba>(c.colors()), c.depth()};
     }
     Command command(const gwt::WritePixels& c) {
-        return WritePixels{rect(c.rect()), our_enum<Plane>(c.plane()), structs<Rgba>(c.colors()),
-                           numbers(c.values()), c.depth()};
+        return WritePixels{rect_from_file(c.rect()), our_enum<Plane>(c.plane()),
+                           structs<Rgba>(c.colors()), numbers(c.values()), c.depth()};
     }
     Command command(const gwt::Accumulate& c) {
         return Accumulate{our_enum<AccumOp>(c.op()), c.value()};
     }
     Command command(const gwt::Copy& c) {
-        return Copy{our_enum<Plane>(c.plane()), rect(c.source()), c.x(), c.y()};
+        return Copy{our_enum<Plane>(c.plane()), rect_from_file(c.source()), c.x(), c.y()};
     }
     Command command(const gwt::CopyTexture& c) {
-        return CopyTexture{c.slot(), our_enum<Plane>(c.plane()), rect(c.rect())};
+        return CopyTexture{c.slot(), our_enum<Plane>(c.plane()), rect_from_file(c.rect())};
     }
     Command command(const gwt::Read& c) {
-        return Read{c.key(), our_enum<Plane>(c.plane()), rect(c.rect()), c.packed()};
+        return Read{c.key(), our_enum<Plane>(c.plane()), rect_from_file(c.rect()), c.packed()};
     }
     Command command(const gwt::DrawPixels& c);
     Command command(const gwt::Query& c) { return Query{c.key(), c.begin()}; }
     Command command(const gwt::SwapBuffers&) { return SwapBuffers{}; }
-    static Rect rect(const gwt::Rect* stored) { return stored ? from_file(*stored) : Rect{}; }
+    Command command(const auto& c) { return from_file(c); }
     Command command(gwt::CommandType type, const gwt::AnyCommand* stored);
     Recording heading();
     CommandList list(const gwt::CommandList& stored);
@@ -167,7 +168,7 @@ Command Decoder::command(const gwt::Draw& c) {
         draw.back_material = std::make_shared<const Material>(from_file(*c.back_material()));
     draw.current = current_values(c);
     if (c.lights() != no_place) draw.lights = at(light_sets_, c.lights(), "lights");
-    draw.map = binding(c.texture(), c.slot());
+    draw.map = binding(c.texture(), c.slot(), c.surface(), c.surface_plane());
     draw.more_maps = more_maps(c);
     return draw;
 }
@@ -183,29 +184,35 @@ Command Decoder::command(const gwt::DrawPixels& c) {
                     .bits = numbers(c.bits())};
     draw.raster = raster_position(c);
     if (c.source()) draw.source = from_file(*c.source());
-    draw.map = binding(c.texture(), c.slot());
+    draw.map = binding(c.texture(), c.slot(), c.surface(), c.surface_plane());
     draw.more_maps = more_maps(c);
     return draw;
 }
 
 /// Of places in the file; no_place for none.
-TextureBinding Decoder::binding(std::uint32_t texture, std::uint32_t slot) const {
+TextureBinding Decoder::binding(std::uint32_t texture, std::uint32_t slot, std::uint32_t surface,
+                                gwt::Plane plane) const {
     if (texture != no_place && slot != no_place)
         throw Error("both a texture and a slot; expected one of them");
     TextureBinding map;
     if (texture != no_place) map.texture = at(values_.textures, texture, "texture");
     if (slot != no_place) map.slot = slot;
+    if (surface != no_place) map.surface = {surface, our_enum<Plane>(plane)};
     return map;
 }
 
 std::shared_ptr<const MoreBindings> Decoder::more_maps(const auto& c) const {
     const bool textures = has_more(c.more_textures(), "textures of units"),
-               slots = has_more(c.more_slots(), "slots of units");
-    if (!textures && !slots) return nullptr;
+               slots = has_more(c.more_slots(), "slots of units"),
+               surfaces = has_more(c.more_surfaces(), "surfaces of units"),
+               planes = has_more(c.more_surface_planes(), "planes of units");
+    if (!textures && !slots && !surfaces) return nullptr;
     MoreBindings maps;
     for (unsigned i = 0; i < maps.size(); ++i)
         maps[i] = binding(textures ? c.more_textures()->Get(i) : no_place,
-                          slots ? c.more_slots()->Get(i) : no_place);
+                          slots ? c.more_slots()->Get(i) : no_place,
+                          surfaces ? c.more_surfaces()->Get(i) : no_place,
+                          planes ? c.more_surface_planes()->Get(i) : gwt::Plane::Color);
     return std::make_shared<const MoreBindings>(maps);
 }
 

@@ -81,7 +81,8 @@ private:
     }
     /// Of units 1 to 3; none if they are off.
     struct MorePlaces {
-        std::vector<std::uint32_t> textures, slots;
+        std::vector<std::uint32_t> textures, slots, surfaces;
+        std::vector<gwt::Plane> planes;
         std::vector<vec4> texcoords;
     };
     MorePlaces more(const std::shared_ptr<const MoreBindings>& maps,
@@ -138,6 +139,20 @@ private:
         return gwt::CreateQuery(out_, c.key, c.begin).Union();
     }
     Offset<void> command(const SwapBuffers&) { return gwt::CreateSwapBuffers(out_).Union(); }
+    Offset<void> command(const MakeSurface& c) {
+        const Surface& s = c.surface;
+        return gwt::CreateMakeSurface(out_, c.number, s.width, s.height, s.planes, s.depth_bits)
+            .Union();
+    }
+    Offset<void> command(const UseSurface& c) {
+        return gwt::CreateUseSurface(out_, c.number).Union();
+    }
+    Offset<void> command(const Blit& c) {
+        const auto source = to_file(c.source), target = to_file(c.target);
+        return gwt::CreateBlit(out_, c.from_surface, c.planes, &source, &target, c.flip_x, c.flip_y,
+                               file_enum<gwt::MagFilter>(c.filter))
+            .Union();
+    }
     Offset<gwt::CommandList> list(const CommandList& list, const CallTable* calls);
     Offset<gwt::Profile> profile(const Profile& p);
     std::uint32_t version(const Profile& profile) const;
@@ -192,6 +207,13 @@ Offset<flatbuffers::Vector<Offset<gwt::UnitTexcoords>>> Encoder::more_texcoords(
     return out_.CreateVector(units);
 }
 
+std::uint32_t surface_of(const TextureBinding& map) {
+    return map.surface ? map.surface->surface : no_place;
+}
+gwt::Plane plane_of(const TextureBinding& map) {
+    return file_enum<gwt::Plane>(map.surface ? map.surface->plane : Plane::Color);
+}
+
 Encoder::MorePlaces Encoder::more(const std::shared_ptr<const MoreBindings>& maps,
                                   const MoreTexcoords& texcoords) {
     MorePlaces places;
@@ -199,6 +221,12 @@ Encoder::MorePlaces Encoder::more(const std::shared_ptr<const MoreBindings>& map
         for (const TextureBinding& map : *maps) {
             places.textures.push_back(texture(map));
             places.slots.push_back(map.slot.value_or(no_place));
+        }
+    const auto is_plane = [](const TextureBinding& map) { return map.surface.has_value(); };
+    if (maps && std::any_of(maps->begin(), maps->end(), is_plane))
+        for (const TextureBinding& map : *maps) {
+            places.surfaces.push_back(surface_of(map));
+            places.planes.push_back(plane_of(map));
         }
     if (texcoords != initial_texcoords) places.texcoords.assign(texcoords.begin(), texcoords.end());
     uses_version_2_ = uses_version_2_ || maps || !places.texcoords.empty();
@@ -269,12 +297,15 @@ Offset<void> Encoder::command(const Draw& c) {
     uses_version_2_ = uses_version_2_ || c.back_material || c.current || !is_affine(c);
     const MorePlaces places =
         more(c.more_maps, c.current ? c.current->more_texcoords : initial_texcoords);
-    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots);
+    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots),
+               more_surfaces = numbers(places.surfaces);
+    const auto more_planes = numbers(places.planes);
     const auto more_texcoords = structs<gwt::Vec4>(places.texcoords);
     return gwt::CreateDraw(out_, mesh_place, &matrix, &material, lights_place, texture_place, slot,
                            c.id_base, c.id_shift, c.back_material ? &back : nullptr,
                            c.current ? &current : nullptr, has_secondary ? &secondary : nullptr,
-                           values.fog_coordinate, more_textures, more_slots, more_texcoords)
+                           values.fog_coordinate, more_textures, more_slots, more_texcoords,
+                           surface_of(c.map), plane_of(c.map), more_surfaces, more_planes)
         .Union();
 }
 
@@ -285,7 +316,9 @@ Offset<void> Encoder::command(const DrawPixels& c) {
     const auto bits = numbers(c.bits);
     const std::uint32_t texture_place = texture(c.map);
     const MorePlaces places = more(c.more_maps, c.raster.more_texcoords);
-    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots);
+    const auto more_textures = numbers(places.textures), more_slots = numbers(places.slots),
+               more_surfaces = numbers(places.surfaces);
+    const auto more_planes = numbers(places.planes);
     const auto more_texcoords = structs<gwt::Vec4>(places.texcoords);
     const auto raster = to_file(c.raster);
     const auto secondary = to_file(c.raster.secondary_color);
@@ -296,7 +329,8 @@ Offset<void> Encoder::command(const DrawPixels& c) {
                                  depths, stencils, bits, c.source ? &source : nullptr,
                                  texture_place, c.map.slot.value_or(no_place),
                                  has_secondary ? &secondary : nullptr, c.raster.fog_coordinate,
-                                 more_textures, more_slots, more_texcoords)
+                                 more_textures, more_slots, more_texcoords, surface_of(c.map),
+                                 plane_of(c.map), more_surfaces, more_planes)
         .Union();
 }
 
@@ -330,7 +364,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
         e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
         e.occlusion_query, e.clip_control, e.texture_units, e.texture_depth, e.texture_cube,
-        e.texture_seamless, e.texture_3d);
+        e.texture_seamless, e.texture_3d, e.surfaces);
 }
 
 bool needs_version_2(const Profile& p) {

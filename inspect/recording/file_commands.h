@@ -27,6 +27,9 @@ bool with_command(gwt::CommandType type, const gwt::AnyCommand* stored, const au
         case gwt::CommandType::DrawPixels: return as(static_cast<gwt::DrawPixels*>(nullptr));
         case gwt::CommandType::SwapBuffers: return as(static_cast<gwt::SwapBuffers*>(nullptr));
         case gwt::CommandType::Query: return as(static_cast<gwt::Query*>(nullptr));
+        case gwt::CommandType::MakeSurface: return as(static_cast<gwt::MakeSurface*>(nullptr));
+        case gwt::CommandType::UseSurface: return as(static_cast<gwt::UseSurface*>(nullptr));
+        case gwt::CommandType::Blit: return as(static_cast<gwt::Blit*>(nullptr));
         case gwt::CommandType::NONE: break;
     }
     return false;

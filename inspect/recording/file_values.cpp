@@ -31,7 +31,7 @@ Profile from_file(const gwt::Profile& p) {
                            p.occlusion_query(), p.clip_control(),
                            p.texture_units(),   p.texture_depth(),
                            p.texture_cube(),    p.texture_seamless(),
-                           p.texture_3d()}};
+                           p.texture_3d(),      p.surfaces()}};
 }
 
 TextureRef given_texture(const gwt::Texture& t, const std::string& name,

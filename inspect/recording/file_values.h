@@ -34,6 +34,7 @@ inline vec4 from_file(const gwt::Vec4& v) { return {v.x(), v.y(), v.z(), v.w()};
 inline dvec4 from_file(const gwt::DVec4& v) { return {v.x(), v.y(), v.z(), v.w()}; }
 inline Rect from_file(const gwt::Rect& r) { return {r.x(), r.y(), r.width(), r.height()}; }
 inline Rgba from_file(const gwt::Rgba& c) { return {c.r(), c.g(), c.b(), c.a()}; }
+inline Rect rect_from_file(const gwt::Rect* r) { return r ? from_file(*r) : Rect{}; }
 inline dmat4 from_file(const gwt::Matrix& m) {
     return {from_file(m.column0()), from_file(m.column1()), from_file(m.column2()),
             from_file(m.column3())};
@@ -80,6 +81,15 @@ flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, con
 bool needs_version_2(const State& state);
 /// Throws Error for an unknown enumerator.
 State from_file(const gwt::State& state);
+inline MakeSurface from_file(const gwt::MakeSurface& c) {
+    return {c.number(), {c.width(), c.height(), c.planes(), c.depth_bits()}};
+}
+inline UseSurface from_file(const gwt::UseSurface& c) { return {c.number()}; }
+inline Blit from_file(const gwt::Blit& c) {
+    return {
+        c.from_surface(), c.planes(), rect_from_file(c.source()),     rect_from_file(c.target()),
+        c.flip_x(),       c.flip_y(), our_enum<MagFilter>(c.filter())};
+}
 
 /// Of a list of commands. A table without runs is not stored.
 flatbuffers::Offset<gwt::CallTable> to_file(flatbuffers::FlatBufferBuilder& out,

@@ -47,7 +47,7 @@ std::vector<std::uint8_t> encode(const Recording& recording);
 struct Limits {
     /// of commands, meshes, maps in memory
     std::uint64_t decoded_bytes = std::uint64_t{4} << 30;
-    std::uint64_t machine_bytes = std::uint64_t{1} << 30;  ///< of texture slots and read-backs
+    std::uint64_t machine_bytes = std::uint64_t{1} << 30;  ///< of slots, surfaces and read-backs
     /// primitives of a draw times 64x64 tiles
     std::uint64_t geometry = std::uint64_t{1} << 31;
 };

@@ -40,6 +40,13 @@ std::string text(const MoreTexcoords& v) {
 std::string text(const std::optional<PixelSource>& s) {
     return s ? fmt::format("{} {} {}", text(s->plane), s->x, s->y) : "none";
 }
+std::string text(const std::optional<SurfacePlane>& s) {
+    return s ? fmt::format("{} of surface {}", text(s->plane), s->surface) : "none";
+}
+std::string text(const Surface& s) {
+    return fmt::format("{} x {} planes {} depth_bits {}", s.width, s.height, int(s.planes),
+                       s.depth_bits);
+}
 std::string text(const Material& m) {
     return fmt::format("Ka {} Kd {} Ks {} Ke {} Ns {} alpha {}", text(m.Ka), text(m.Kd), text(m.Ks),
                        text(m.Ke), m.Ns, m.alpha);

@@ -27,8 +27,10 @@ std::string text(const Rect& r);  ///< "x y width height"
 std::string text(const Span& s);
 std::string text(const RasterPosition& r);  ///< "x 4 y 2.5 depth 0 ..."
 std::string text(const MoreTexcoords& v);
-std::string text(const std::optional<PixelSource>& s);  ///< "Color 4 2"; "none"
-std::string text(const Material& m);                    ///< "Ka 0.2 0.2 0.2 Kd ..."
+std::string text(const std::optional<PixelSource>& s);   ///< "Color 4 2"; "none"
+std::string text(const std::optional<SurfacePlane>& s);  ///< "Depth of surface 4"; "none"
+std::string text(const Surface& s);                      ///< "64 x 32 planes 7 depth_bits 0"
+std::string text(const Material& m);                     ///< "Ka 0.2 0.2 0.2 Kd ..."
 std::string text(const FaceMaterials& m);
 std::string text(const ColorMask& m);                     ///< "rg-a"
 std::string text(const std::optional<std::uint32_t>& v);  ///< "none" if there is none

@@ -41,7 +41,8 @@ void draw(ListHolder& list, const std::shared_ptr<Mesh>& mesh,
           const std::optional<dmat4>& eye_from_object, const Material& material,
           const std::optional<Material>& back_material, const std::vector<Light>& lights,
           const std::shared_ptr<Texture>& texture, std::optional<std::uint32_t> slot, vec4 color,
-          vec3 normal, vec4 texcoord, std::uint32_t id_base, int id_shift) {
+          vec3 normal, vec4 texcoord, std::uint32_t id_base, int id_shift,
+          std::optional<std::uint32_t> surface, Plane surface_plane) {
     Draw command;
     command.mesh = mesh;
     if (eye_from_object) command.eye_from_object = *eye_from_object;
@@ -52,6 +53,7 @@ void draw(ListHolder& list, const std::shared_ptr<Mesh>& mesh,
         command.current = std::make_shared<const CurrentValues>(current);
     if (!lights.empty()) command.lights = std::make_shared<const std::vector<Light>>(lights);
     command.map = {texture, slot};
+    if (surface) command.map.surface = SurfacePlane{*surface, surface_plane};
     command.id_base = id_base;
     command.id_shift = id_shift;
     list.add(std::move(command));
@@ -149,15 +151,16 @@ void add_commands(py::module_& m) {
         .def(
             "set_state", [](ListHolder& l, const State& state) { l.add(SetState{state}); },
             py::arg("state"), "Replaces the whole state for the following commands.")
-        .def("draw", &draw, py::arg("mesh").none(false), py::kw_only(),
-             py::arg("eye_from_object") = py::none(), py::arg("material") = Material{},
-             py::arg("back_material") = py::none(), py::arg("lights") = std::vector<Light>{},
-             py::arg("texture") = py::none(), py::arg("slot") = py::none(),
-             py::arg("color") = vec4(1), py::arg("normal") = vec3(0, 0, 1),
-             py::arg("texcoord") = vec4(0, 0, 0, 1), py::arg("id_base") = 0,
-             py::arg("id_shift") = 0,
-             "Draws a mesh with the current state. color, normal and texcoord are those of meshes "
-             "without their own; a texture, or the slot that copy_texture filled.")
+        .def(
+            "draw", &draw, py::arg("mesh").none(false), py::kw_only(),
+            py::arg("eye_from_object") = py::none(), py::arg("material") = Material{},
+            py::arg("back_material") = py::none(), py::arg("lights") = std::vector<Light>{},
+            py::arg("texture") = py::none(), py::arg("slot") = py::none(),
+            py::arg("color") = vec4(1), py::arg("normal") = vec3(0, 0, 1),
+            py::arg("texcoord") = vec4(0, 0, 0, 1), py::arg("id_base") = 0, py::arg("id_shift") = 0,
+            py::arg("surface") = py::none(), py::arg("surface_plane") = Plane::Color,
+            "Draws a mesh with the current state. color, normal and texcoord are those of meshes "
+            "without their own; a texture, the slot that copy_texture filled, or a surface's plane.")
         .def(
             "write_spans", &write_spans, py::arg("spans"), py::arg("colors"), py::kw_only(),
             py::arg("depth") = 0, py::arg("flat") = true,
@@ -200,7 +203,33 @@ void add_commands(py::module_& m) {
             "Reads a rectangle back: Machine.readbacks()[key].")
         .def(
             "swap_buffers", [](ListHolder& l) { l.add(SwapBuffers{}); },
-            "Exchanges the front and the back plane.");
+            "Exchanges the front and the back plane.")
+        .def(
+            "make_surface",
+            [](ListHolder& l, std::uint32_t number, int width, int height,
+               const std::vector<Plane>& planes, int depth_bits) {
+                PlaneMask mask = 0;
+                for (const Plane plane : planes) mask = PlaneMask(mask | mask_of(plane));
+                l.add(MakeSurface{number, {width, height, mask, depth_bits}});
+            },
+            py::arg("number"), py::arg("width"), py::arg("height"), py::arg("planes"),
+            py::kw_only(), py::arg("depth_bits") = 0,
+            "Makes a surface, 1 .. 1023, of these planes, all 0 (extension surfaces).")
+        .def(
+            "use_surface", [](ListHolder& l, std::uint32_t number) { l.add(UseSurface{number}); },
+            py::arg("number"), "The following commands draw to it and read from it; 0: the window.")
+        .def(
+            "blit",
+            [](ListHolder& l, std::uint32_t from, const std::vector<Plane>& planes,
+               const Rect& source, const Rect& target, bool flip_x, bool flip_y, MagFilter filter) {
+                PlaneMask mask = 0;
+                for (const Plane plane : planes) mask = PlaneMask(mask | mask_of(plane));
+                l.add(Blit{from, mask, source, target, flip_x, flip_y, filter});
+            },
+            py::arg("from_surface"), py::arg("planes"), py::arg("source"), py::arg("target"),
+            py::kw_only(), py::arg("flip_x") = false, py::arg("flip_y") = false,
+            py::arg("filter") = MagFilter::Nearest,
+            "Copies a rectangle of a surface to the one in use, scaled (glBlitFramebuffer).");
 }
 
 }  // namespace gw::python

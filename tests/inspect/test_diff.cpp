@@ -86,6 +86,11 @@ TEST(Diff, NamesTheMemberOfADrawnRectangle) {
     other = draw;
     other.map.slot = 3;
     EXPECT_NE(first(a, with(other)).find("texture slot: expected none, got 3"), std::string::npos);
+    other = draw;
+    other.map.surface = SurfacePlane{2, Plane::Depth};
+    EXPECT_NE(
+        first(a, with(other)).find("texture's surface: expected none, got Depth of surface 2"),
+        std::string::npos);
 }
 
 TEST(Diff, NamesTheStatesField) {

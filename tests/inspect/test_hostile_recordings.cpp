@@ -130,12 +130,21 @@ TEST(HostileRecording, MemoryOfTheMachineIsBounded) {
     for (std::uint32_t slot = 0; slot < 256; ++slot)
         recording.lists[0].add(CopyTexture{.slot = slot, .rect = {0, 0, 4096, 4096}});
     EXPECT_EQ(refusal(recording),
-              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+              "list 0: texture slots, surfaces and read-backs of more than 1024 MB; expected less");
     recording.lists[0].commands.clear();
     for (std::uint32_t key = 0; key < 1000; ++key)
         recording.lists[0].add(Read{.key = key, .rect = {0, 0, 4096, 4096}});
     EXPECT_EQ(refusal(recording),
-              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+              "list 0: texture slots, surfaces and read-backs of more than 1024 MB; expected less");
+    recording.lists[0].commands.clear();
+    recording.profile = opengl();
+    const Surface large{8192, 4096, mask_of(Plane::Depth)};
+    for (std::uint32_t number = 1; number < 3; ++number)
+        recording.lists[0].add(MakeSurface{number, large});
+    EXPECT_EQ(refusal(recording),
+              "list 0: texture slots, surfaces and read-backs of more than 1024 MB; expected less");
+    std::get<MakeSurface>(recording.lists[0].commands[1]).number = 1;
+    EXPECT_EQ(refusal(recording), "none") << "one number, one surface";
     recording.lists[0].commands.clear();
     for (int i = 0; i < 1000; ++i) recording.lists[0].add(Read{.rect = {0, 0, 4096, 4096}});
     EXPECT_EQ(refusal(recording), "none") << "one key, one rectangle";
@@ -157,7 +166,7 @@ TEST(HostileRecording, PairsOfTexelsAreMemoryToo) {
     EXPECT_EQ(refusal(recording), "none") << "three slots of 256 MB, two times 128 MB of pairs";
     draw_wrapped(Wrap::Clamp, Wrap::Clamp);
     EXPECT_EQ(refusal(recording),
-              "list 0: texture slots and read-backs of more than 1024 MB; expected less");
+              "list 0: texture slots, surfaces and read-backs of more than 1024 MB; expected less");
 }
 
 TEST(HostileRecording, WhatIsDecodedIsBoundedHoweverOftenTheFileRefersToIt) {

@@ -217,7 +217,7 @@ Json texture_json(const ref::Interpolants& pixel, const Texels& texels, const Re
             {"weights", Json::array({(u - half) & 255, (v - half) & 255})},
             {"side", pattern_side},
             {"texels", looked_up},
-            {"texel", ref::texel_at(pixel, 0, texels, state, 0, x, y)}};
+            {"texel", ref::texel_at(pixel, 0, texels, state, x, y)}};
 }
 
 Json blend_json(const BlendState& state, const Rgba& src, const Rgba& dst, int bits) {
@@ -325,7 +325,7 @@ Json LabSession::pixel(const Json& options) {
     if (asked.texture) {
         const Texels texels = make_texels(*asked.texture, texel_bits_of(asked.profile));
         answer["texture"] = texture_json(values, texels, state, x, y);
-        const Rgba texel = ref::texel_at(values, 0, texels, state, 0, x, y);
+        const Rgba texel = ref::texel_at(values, 0, texels, state, x, y);
         color = texture_environment(state.state.texture, texels.format, color, texel,
                                     state.env_color, bits);
     }

@@ -2,6 +2,7 @@
 // stays in cache. Does not draw. Conversion to and from the host's Planes is here too.
 #pragma once
 
+#include "gw/fast/frame/blocks.h"
 #include "gw/fast/frame/uniform.h"
 #include "gw/planes.h"
 
@@ -81,6 +82,8 @@ struct UniformColors {
 class Frame {
 public:
     Frame(int width, int height, int log2_tile);
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
 
     const TileGrid& grid() const { return grid_; }
     Tile tile(std::size_t index);
@@ -106,10 +109,10 @@ private:
 
     TileGrid grid_;
     Plane in_use_ = Plane::Color;
-    std::vector<ColorBlock> color_, other_color_;
-    std::vector<DepthBlock> depth_;
-    std::vector<StencilBlock> stencil_;
-    std::vector<AccumBlock> accum_;
+    Blocks<ColorBlock> color_, other_color_;
+    Blocks<DepthBlock> depth_;
+    Blocks<StencilBlock> stencil_;
+    Blocks<AccumBlock> accum_;
     std::vector<UniformGroup> uniform_;
     std::vector<UniformPlanes> has_uniform_;  ///< by tile
     std::vector<DepthPlanes> depth_planes_;   ///< by tile

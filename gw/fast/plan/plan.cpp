@@ -76,6 +76,7 @@ bool has_more(const Draw& draw) {
 struct Planner {
     MachineState& machine;
     const Profile& profile;
+    const Surface& surface;
     Segment& segment = machine.segment;
     SharedValues<VertexColors> colors{segment.colors};
     SharedValues<VertexFog> fogs{segment.fogs};
@@ -137,9 +138,10 @@ struct Planner {
 
     FastTexels* texels(const TextureBinding& binding) {
         if (binding.slot) return &machine.slots.at(*binding.slot);
+        if (binding.surface) return &machine.surface_texels(*binding.surface);
         if (binding.texture.get() != last_texture) {
             last_texture = binding.texture.get();
-            last_texels = &machine.texels.find_or_make(binding.texture, profile);
+            last_texels = &machine.texels.find_or_make(binding.texture, machine.profile);
         }
         return last_texels;
     }
@@ -185,7 +187,7 @@ struct Planner {
         const Draw& first = std::get<Draw>(*steps[0].command);
         const PartGroup& group = *steps[0].part->group;
         GeometrySet& set = *group.set;
-        set.jitter.include(state.jitter);
+        set.jitter.include(scanned.resolved.state.jitter);
         const Draw* const* draws = segment.draws.data() + segment.draws.size();
         for (const Step& step : steps) segment.draws.push_back(&std::get<Draw>(*step.command));
 
@@ -210,8 +212,9 @@ struct Planner {
     }
 
     void add(const Clear& clear, const Step& step) {
-        segment.uses_accum = segment.uses_accum || (clear.planes & mask_of(Plane::Accum)) != 0;
-        segment.ops.push_back({ClearOp{&clear, step.state->resolved}, step.pass});
+        const PlaneMask planes = clear.planes & surface.planes;
+        segment.uses_accum = segment.uses_accum || (planes & mask_of(Plane::Accum)) != 0;
+        segment.ops.push_back({ClearOp{&clear, planes, step.state->resolved}, step.pass});
     }
     void add(const WriteSpans& write, const Step& step) {
         segment.ops.push_back(
@@ -226,7 +229,7 @@ struct Planner {
         BoundTexels used{};
         for (std::size_t unit = 0; unit < used.size(); ++unit)
             if (map_of(draw, unit).enabled()) used[unit] = &texels(map_of(draw, unit))->texels;
-        const PlacedPixels& placed = segment.placed_pixels.emplace_back(draw, state, profile, used);
+        const PlacedPixels& placed = segment.placed_pixels.emplace_back(draw, state, used);
         segment.ops.push_back({DrawPixelsOp{&placed, state, step.state->bytes}, step.pass});
     }
     void add(const Accumulate& accumulate, const Step& step) {
@@ -263,7 +266,7 @@ struct Planner {
         for (std::size_t i = 0; i < steps.size();) {
             if (i + 4 < steps.size()) prefetch(steps[i + 4].command, sizeof(Draw));
             segment.uses_both_colors =
-                segment.uses_both_colors || draws_to_both(*steps[i].state->state);
+                segment.uses_both_colors || draws_to_both(steps[i].state->resolved.state);
             if (steps[i].part) {
                 const std::size_t count = steps[i].part->group->parts;
                 add_draws(steps.subspan(i, count));
@@ -313,13 +316,14 @@ struct Planner {
 }  // namespace
 
 std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
-                         const Profile& profile, const TileGrid& grid, int threads) {
+                         const Profile& profile, const SegmentTarget& target, int threads) {
+    const TileGrid& grid = target.grid;
     Segment& segment = machine.segment;
     const std::size_t consumed =
-        segment.scan.run(commands, machine.state, machine.passes, profile, grid.width, grid.height);
+        segment.scan.run(commands, machine.state, machine.passes, profile, target.surface);
     if (segment.scan.steps().empty()) return consumed;
     segment.scan.form_sets(machine.geometry);
-    Planner planner{machine, profile};
+    Planner planner{machine, profile, target.surface};
     planner.add_steps();
     planner.make_shared(grid, threads);
     share_visibility(segment);

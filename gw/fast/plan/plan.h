@@ -14,6 +14,7 @@
 #include "gw/stages/pixels/draw_pixels.h"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <span>
 #include <variant>
@@ -23,6 +24,7 @@ namespace gw::fast {
 
 struct ClearOp {
     const Clear* clear;
+    PlaneMask planes;  ///< that it names and the surface has
     const Resolved& state;
 };
 struct SpansOp {
@@ -84,10 +86,13 @@ struct Segment {
 
 /// The part of a machine's state that planning needs; persists from list to list.
 struct MachineState {
+    Profile profile;  ///< of the machine and its textures; a surface has its own depth_bits
     State state;
     std::vector<PassReport> passes;
     std::map<std::uint32_t, FastTexels> slots;
     std::map<std::uint32_t, Plane> slot_planes;
+    /// makes the texels that a surface's plane has now; valid until the segment ends
+    std::function<FastTexels&(const SurfacePlane&)> surface_texels;
     KeptTextures texels;
     std::map<std::uint32_t, Readback> readbacks;
     ReadTargets targets;  ///< of the list in execution
@@ -95,10 +100,16 @@ struct MachineState {
     Segment segment;  ///< the one in progress
 };
 
+/// What a segment draws to.
+struct SegmentTarget {
+    Surface surface;
+    const TileGrid& grid;
+};
+
 /// Plans the commands of the next segment, which ends before a barrier or when it is full, and
 /// counts their geometry. Returns the number of commands.
 std::size_t plan_segment(std::span<const Command> commands, MachineState& machine,
-                         const Profile& profile, const TileGrid& grid, int threads);
+                         const Profile& profile, const SegmentTarget& target, int threads);
 
 /// Ends a segment that has run: the next one reuses its memory.
 void end_segment(MachineState& machine);

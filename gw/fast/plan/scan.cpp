@@ -73,7 +73,7 @@ bool same_map(const Draw& a, const Draw& b, const State& state) {
     for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
         if (unit > 0 && !a.more_maps && !b.more_maps) break;
         const TextureBinding &m = map_of(a, unit), &n = map_of(b, unit);
-        if (m.texture != n.texture || m.slot != n.slot) return false;
+        if (m != n) return false;
         const TextureState& own = texture_of(state, unit);
         if (m.enabled() && divides_by_q(own, a, unit) != divides_by_q(own, b, unit)) return false;
     }
@@ -118,7 +118,9 @@ void clear_and_trim(std::vector<T>& all) {
 
 bool is_barrier(const Command& command, const std::vector<PassReport>& passes) {
     if (std::holds_alternative<Copy>(command) || std::holds_alternative<CopyTexture>(command) ||
-        std::holds_alternative<SwapBuffers>(command) || std::holds_alternative<Query>(command))
+        std::holds_alternative<SwapBuffers>(command) || std::holds_alternative<Query>(command) ||
+        std::holds_alternative<MakeSurface>(command) ||
+        std::holds_alternative<UseSurface>(command) || std::holds_alternative<Blit>(command))
         return true;
     if (const auto* draw = std::get_if<DrawPixels>(&command)) return draw->source.has_value();
     return std::holds_alternative<BeginPass>(command) && !passes.empty() &&
@@ -157,7 +159,7 @@ void Scan::use_state(const State& state) {
     const std::uint64_t hash = hash_of(state);
     state_ = state_table_.find(hash, [&](const ScannedState& s) { return *s.state == state; });
     if (state_) return;
-    Resolved resolved = resolve(state, *profile_, width_, height_);
+    Resolved resolved = resolve(state, *profile_, surface_);
     const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
     const GeometryState geometry = geometry_state(resolved.state);
     const std::uint64_t geometry_hash = hash_of(geometry);
@@ -241,15 +243,15 @@ void Scan::add_draw(const Command& command, const Draw& draw, std::uint64_t draw
 }
 
 std::size_t Scan::run(std::span<const Command> commands, State& state,
-                      std::vector<PassReport>& passes, const Profile& profile, int width,
-                      int height) {
+                      std::vector<PassReport>& passes, const Profile& profile,
+                      const Surface& surface) {
     clear();
     profile_ = &profile;
-    width_ = width;
-    height_ = height;
+    surface_ = surface;
     passes_ = &passes;
     initial_ = state;
     const State* current = &initial_;
+    const bool two_colors = profile.color_planes == 2 && surface.is_window();
     std::size_t consumed = 0;
     for (std::size_t i = 0; i < steps_ahead; ++i) look_ahead(commands, i);
     for (; consumed < commands.size(); look_ahead(commands, steps_ahead + consumed++)) {
@@ -263,7 +265,7 @@ std::size_t Scan::run(std::span<const Command> commands, State& state,
         } else if (const BeginPass* begin = std::get_if<BeginPass>(&command)) {
             passes.push_back({begin->name, {}, begin->digests, {}, {}});
         } else {
-            if (profile.color_planes == 2 && !fits_color_plane(command, *current)) break;
+            if (two_colors && !fits_color_plane(command, *current)) break;
             use_state(*current);
             if (const Draw* draw = std::get_if<Draw>(&command)) {
                 if (is_full()) break;

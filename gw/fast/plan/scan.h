@@ -56,7 +56,8 @@ public:
     /// Reads commands up to the next barrier, which is not included, or until the segment is full.
     /// Returns their number. `state` and `passes` follow the commands.
     std::size_t run(std::span<const Command> commands, State& state,
-                    std::vector<PassReport>& passes, const Profile& profile, int width, int height);
+                    std::vector<PassReport>& passes, const Profile& profile,
+                    const Surface& surface);
     /// Gives each part its group, and each group its set.
     void form_sets(KeptGeometry& kept);
     /// Call when the sets are made.
@@ -84,7 +85,7 @@ private:
     static constexpr std::size_t steps_ahead = 4;
 
     const Profile* profile_ = nullptr;
-    int width_ = 0, height_ = 0;
+    Surface surface_;  ///< that is drawn to
     std::vector<PassReport>* passes_ = nullptr;
     State initial_;
     const State* given_ = nullptr;  ///< of the commands: `state_` is this

@@ -53,7 +53,7 @@ Change change(const PixelsOp& op) {
 }
 Change change(const DrawPixelsOp& op) { return change(op.state.state.depth); }
 Change change(const ClearOp& op) {
-    return op.clear->planes & mask_of(Plane::Depth) ? Change::Any : Change::None;
+    return op.planes & mask_of(Plane::Depth) ? Change::Any : Change::None;
 }
 Change change(const AccumulateOp&) { return Change::None; }
 Change change(const ReadOp&) { return Change::None; }

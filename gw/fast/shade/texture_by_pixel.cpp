@@ -61,14 +61,14 @@ struct PixelSampler {
 
     bool is_lit() const {
         const TexelLevel& level = texels.levels[std::size_t(base_level())];
-        const int bits = draw.profile->depth_bits;
+        const int bits = texels.depth_bits;
         const int u = position(p.s, level.width, state.wrap_s) >> 8;
         const int v = position(p.t, level.height, state.wrap_t) >> 8;
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
         const auto incoming =
             static_cast<std::uint32_t>(to_integer(std::floor(r), 0, max_of_bits(bits)));
         return compare(state.compare_func, incoming,
-                       nearest_depth(texels, level, how(), u, v, resolved.border_depth));
+                       nearest_depth(texels, level, how(), u, v, state.border_color.x));
     }
 
     float rho() const {
@@ -91,7 +91,7 @@ struct PixelSampler {
         const auto at = [&](const TexturePlane& c) {
             return PixelCoordinate{value_of(c.plane, i, j), c.exponent, c.plane_slope};
         };
-        return texel_with_r(texels, state, resolved, draw.profile->depth_bits,
+        return texel_with_r(texels, state, resolved,
                             {{at(p.s), at(p.t), at(p.r)},
                              q,
                              p.q_slope,

@@ -1,7 +1,7 @@
 // Copies between segments, on the host's planes: the only commands that move pixels across tiles.
 #include "gw/fast/tile/tile_run.h"
 
-#include "gw/base/arithmetic.h"
+#include "gw/stages/pixels/plane_texels.h"
 
 namespace gw::fast {
 namespace {
@@ -55,20 +55,7 @@ std::uint64_t copy_pixels(const Copy& command, const Resolved& r, Planes& planes
 
 Texels copied_texels(const CopyTexture& command, ReadBuffer from, const Planes& planes,
                      const Profile& profile) {
-    const Rect& rect = command.rect;
-    const std::vector<Rgba>& colors = colors_read(planes, from);
-    Texels t{profile.color_bits};
-    t.add_level(rect.width, rect.height);
-    std::size_t next = 0;
-    for (int y = rect.y; y < rect.y + rect.height; ++y)
-        for (int x = rect.x; x < rect.x + rect.width; ++x) {
-            const std::size_t i = planes.index(x, y);
-            const auto grey =
-                std::uint16_t(rescale(planes.depth[i], profile.depth_bits, profile.color_bits));
-            t.set(next++, command.plane == Plane::Color ? colors[i] : Rgba{grey, grey, grey, grey});
-            if (command.plane == Plane::Depth) t.depths.push_back(planes.depth[i]);
-        }
-    return t;
+    return plane_texels(command.plane, command.rect, colors_read(planes, from), planes, profile);
 }
 
 }  // namespace gw::fast

@@ -51,11 +51,11 @@ struct Count {
     }
     Counters operator()(const ClearOp& op) const {
         Counters c;
-        const std::uint64_t planes = std::uint64_t(std::popcount(op.clear->planes));
+        const std::uint64_t planes = std::uint64_t(std::popcount(op.planes));
         if (planes == 0) return c;
         c.pixels = n.pixels;
         for (const Plane plane : every_plane)
-            if (op.clear->planes & mask_of(plane))
+            if (op.planes & mask_of(plane))
                 c.bytes += n.pixels / planes * written_bytes(plane, op.state.state, profile);
         return c;
     }

@@ -129,8 +129,8 @@ struct TileRun {
         const Resolved& r = op.state;
         const BlockBox inside = box(r.pixel_box);
         if (inside.empty()) return;
-        counts->pixels += pixels_in(inside) * std::uint64_t(std::popcount(op.clear->planes));
-        const auto wants = [&](Plane plane) { return (op.clear->planes & mask_of(plane)) != 0; };
+        counts->pixels += pixels_in(inside) * std::uint64_t(std::popcount(op.planes));
+        const auto wants = [&](Plane plane) { return (op.planes & mask_of(plane)) != 0; };
         ClearBlocks clear{tile, inside};
         const ColorMask& m = r.state.color_mask;
         if (wants(Plane::Color)) clear.channel = {m.r, m.g, m.b, m.a};

@@ -49,8 +49,8 @@ Rgba grey_texel(std::uint32_t v) {
 
 /// The one texel of a rectangle. Its coordinates do not change, so the filter magnifies.
 Rgba raster_texel(const vec4& strq, const Texels& texels, const TextureState& s,
-                  const ResolvedTexture& r, int depth_bits) {
-    if (texels.with_r) return texel_in_place(texels, s, r, depth_bits, strq);
+                  const ResolvedTexture& r) {
+    if (texels.with_r) return texel_in_place(texels, s, r, strq);
     const std::uint32_t one = max_of_bits(texels.bits);
     const double q = strq.w;
     if (q <= 0) return grey_texel(one);
@@ -60,15 +60,17 @@ Rgba raster_texel(const vec4& strq, const Texels& texels, const TextureState& s,
               v = texel_position(strq.y / q, level.height);
     const Addressing how = addressing(s, texels, r.border_color);
     if (!s.shadow_compare) return lookup(texels, level, is_linear(s, true), how, u, v);
+    const int bits = texels.depth_bits;
     const auto incoming = static_cast<std::uint32_t>(
-        to_integer(std::floor(std::ldexp(strq.z / q, depth_bits)), 0, max_of_bits(depth_bits)));
-    const std::uint32_t stored = nearest_depth(texels, level, how, u >> 8, v >> 8, r.border_depth);
+        to_integer(std::floor(std::ldexp(strq.z / q, bits)), 0, max_of_bits(bits)));
+    const std::uint32_t stored =
+        nearest_depth(texels, level, how, u >> 8, v >> 8, s.border_color.x);
     return grey_texel(compare(s.compare_func, incoming, stored) ? one : 0);
 }
 
 }  // namespace
 
-PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
+PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state,
                            const BoundTexels& texels)
     : pixels_(&pixels), state_(&state) {
     const RasterPosition& raster = pixels.raster;
@@ -83,7 +85,7 @@ PlacedPixels::PlacedPixels(const DrawPixels& pixels, const Resolved& state, cons
         const TextureState& s = texture_of(state.state, unit);
         const vec4& strq = unit == 0 ? raster.texcoord : raster.more_texcoords[unit - 1];
         texels_.set(unit, texels[unit]->format,
-                    raster_texel(strq, *texels[unit], s, state.texture(unit), profile.depth_bits));
+                    raster_texel(strq, *texels[unit], s, state.texture(unit)));
         look_ups_ += gw::look_ups(s.min_filter, texels[unit]->dimensions);
     }
     const FogState& fog = state.state.fog;

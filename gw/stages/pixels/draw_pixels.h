@@ -17,8 +17,7 @@ namespace gw {
 /// A rectangle in its place, zoomed. The command, the state and the texels outlive it.
 class PlacedPixels {
 public:
-    PlacedPixels(const DrawPixels& pixels, const Resolved& state, const Profile& profile,
-                 const BoundTexels& texels);
+    PlacedPixels(const DrawPixels& pixels, const Resolved& state, const BoundTexels& texels);
 
     /// The window's pixels that it covers, inside the pixel box.
     const Rect& box() const { return box_; }

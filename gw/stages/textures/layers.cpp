@@ -134,14 +134,14 @@ struct Unit {
     }
 
     /// r against the depth of the nearest texel.
-    Rgba compared(const Point& at, int depth_bits) const {
+    Rgba compared(const Point& at) const {
+        const int bits = texels.depth_bits;
         const TexelLevel& l = level(base());
         const std::uint32_t stored =
             nearest_depth(texels, l, how, at.position(0, l.width, how.wrap_s) >> 8,
-                          at.position(1, l.height, how.wrap_t) >> 8, resolved.border_depth);
-        const auto incoming = static_cast<std::uint32_t>(
-            to_integer(std::floor(std::ldexp(at.v[2], at.exponent[2] + depth_bits)), 0,
-                       max_of_bits(depth_bits)));
+                          at.position(1, l.height, how.wrap_t) >> 8, state.border_color.x);
+        const auto incoming = static_cast<std::uint32_t>(to_integer(
+            std::floor(std::ldexp(at.v[2], at.exponent[2] + bits)), 0, max_of_bits(bits)));
         const std::uint32_t one = max_of_bits(texels.bits);
         return completed(texels.format,
                          grey(compare(state.compare_func, incoming, stored) ? one : 0),
@@ -203,7 +203,7 @@ FacePoint face_point(const dvec3& d) {
 }
 
 Rgba texel_with_r(const Texels& texels, const TextureState& state, const ResolvedTexture& resolved,
-                  int depth_bits, const PixelCoordinates& at) {
+                  const PixelCoordinates& at) {
     if (at.q < 1) return grey(max_of_bits(texels.bits));
     const Unit unit{texels, state, resolved};
     Point point;
@@ -211,7 +211,7 @@ Rgba texel_with_r(const Texels& texels, const TextureState& state, const Resolve
         point.v[c] = double(at.at[c].u) / double(at.q);
         point.exponent[c] = at.at[c].exponent;
     }
-    if (state.shadow_compare) return unit.compared(point, depth_bits);
+    if (state.shadow_compare) return unit.compared(point);
     const FacePoint on_face = point_on_face(texels, point);
     LevelChoice choice{.magnify = true, .level = unit.base()};
     if (needs_rho(state))
@@ -224,12 +224,12 @@ Rgba texel_with_r(const Texels& texels, const TextureState& state, const Resolve
 }
 
 Rgba texel_in_place(const Texels& texels, const TextureState& state,
-                    const ResolvedTexture& resolved, int depth_bits, const vec4& strq) {
+                    const ResolvedTexture& resolved, const vec4& strq) {
     const double q = strq.w;
     if (q <= 0) return grey(max_of_bits(texels.bits));
     const Unit unit{texels, state, resolved};
     const Point point{{strq.x / q, strq.y / q, strq.z / q}, {0, 0, 0}};
-    if (state.shadow_compare) return unit.compared(point, depth_bits);
+    if (state.shadow_compare) return unit.compared(point);
     return unit.sample(point, point_on_face(texels, point), unit.base(), is_linear(state, true));
 }
 

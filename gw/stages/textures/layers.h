@@ -33,9 +33,9 @@ FacePoint face_point(const dvec3& direction);
 
 /// The texture's value at a pixel, in texels of textures with_r.
 Rgba texel_with_r(const Texels& texels, const TextureState& state, const ResolvedTexture& resolved,
-                  int depth_bits, const PixelCoordinates& at);
+                  const PixelCoordinates& at);
 /// The same at (s, t, r) / q of a rectangle of pixels: the filter magnifies.
 Rgba texel_in_place(const Texels& texels, const TextureState& state,
-                    const ResolvedTexture& resolved, int depth_bits, const vec4& strq);
+                    const ResolvedTexture& resolved, const vec4& strq);
 
 }  // namespace gw

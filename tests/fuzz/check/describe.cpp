@@ -113,6 +113,8 @@ std::string text(const Draw& c) {
         "Draw {} eye_from_object {} lights {} map {} id {} >> {}", mesh_text(*c.mesh),
         text(c.eye_from_object), c.lights ? int(c.lights->size()) : -1,
         c.map.slot      ? fmt::format("slot {}", *c.map.slot)
+        : c.map.surface ? fmt::format("plane {} of surface {}", int(c.map.surface->plane),
+                                      c.map.surface->surface)
         : c.map.texture ? fmt::format("{}x{}", c.map.texture->width(), c.map.texture->height())
                         : "none",
         c.id_base, c.id_shift);
@@ -145,6 +147,15 @@ std::string text(const Read& c) {
 }
 
 std::string text(const Query& c) { return fmt::format("Query {} begin {}", c.key, c.begin); }
+std::string text(const MakeSurface& c) {
+    return fmt::format("MakeSurface {} {}x{} planes {} depth_bits {}", c.number, c.surface.width,
+                       c.surface.height, c.surface.planes, c.surface.depth_bits);
+}
+std::string text(const UseSurface& c) { return fmt::format("UseSurface {}", c.number); }
+std::string text(const Blit& c) {
+    return fmt::format("Blit from {} planes {} {} to {} flips {} {} filter {}", c.from_surface,
+                       c.planes, text(c.source), text(c.target), c.flip_x, c.flip_y, int(c.filter));
+}
 std::string text(const SwapBuffers&) { return "SwapBuffers"; }
 
 }  // namespace

@@ -83,6 +83,7 @@ void spoil_command(Random& r, SetState& c) {
 void spoil_command(Random& r, Draw& c) {
     if (r.chance(10)) c.mesh = nullptr;
     if (r.chance(10)) c.map.slot = r.bits(9);
+    if (c.map.surface && r.chance(30)) spoil_one(r, c.map.surface->surface, c.map.surface->plane);
     spoil_one(r, c.eye_from_object, c.material.Kd.y, c.material.Ns, c.material.alpha, c.id_shift,
               c.id_base);
 }
@@ -106,6 +107,14 @@ void spoil_command(Random& r, DrawPixels& c) {
 }
 void spoil_command(Random&, SwapBuffers&) {}
 void spoil_command(Random& r, Query& c) { spoil_one(r, c.key, c.begin); }
+void spoil_command(Random& r, MakeSurface& c) {
+    Surface& s = c.surface;
+    spoil_one(r, c.number, s.width, s.height, s.planes, s.depth_bits);
+}
+void spoil_command(Random& r, UseSurface& c) { spoil(r, c.number); }
+void spoil_command(Random& r, Blit& c) {
+    spoil_one(r, c.from_surface, c.planes, c.source, c.target, c.flip_x, c.flip_y, c.filter);
+}
 void spoil_command(Random& r, Read& c) { spoil_one(r, c.plane, c.rect, c.packed); }
 
 /// Changes one field of one command: a mask, an enumeration, a number or a size. Most results are

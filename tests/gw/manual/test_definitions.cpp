@@ -67,7 +67,7 @@ TEST(ManualCommands, EveryCommandIsInTheTable) {
     const std::vector<Command> all{BeginPass{},   Clear{},       SetState{},   Draw{},
                                    WriteSpans{},  WritePixels{}, Accumulate{}, Copy{},
                                    CopyTexture{}, Read{},        DrawPixels{}, SwapBuffers{},
-                                   Query{}};
+                                   Query{},       MakeSurface{}, UseSurface{}, Blit{}};
     ASSERT_EQ(all.size(), std::variant_size_v<Command>);
     for (const Command& command : all) {
         const std::string name = name_of(command);

@@ -4,6 +4,7 @@
 #include "gw/machine.h"
 #include "test_paths.h"
 #include "tests/gw/manual_textures/refused_textures.h"
+#include "tests/gw/surfaces/refused_surfaces.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -60,7 +61,6 @@ std::string refusal(std::vector<Command> commands, const Profile& profile = vgx(
 }
 
 constexpr float nan = NAN, infinity = INFINITY;
-
 std::string refused_state(const std::function<void(State&)>& change,
                           const Profile& profile = vgx()) {
     SetState set;
@@ -249,7 +249,7 @@ std::vector<std::string> refused_draw_pixels() {
     return {
         refusal({D{}}),
         refused_pixels([](D& d) { d.width = -1; }),
-        refused_pixels([](D& d) { d.height = 4097; }),
+        refused_pixels([](D& d) { d.height = 8193; }),
         refused_pixels([](D& d) { d.raster.x = nan; }),
         refused_pixels([](D& d) { d.raster.y = infinity; }),
         refused_pixels([](D& d) { d.raster.depth = 1u << 24; }),
@@ -347,8 +347,9 @@ const std::set<std::string> not_tried{
 
 TEST(ManualRefusals, EachIsListedAndHappens) {
     std::vector<std::string> happened;
-    for (const auto& some : {refused_states(), refused_draws(), refused_pixel_commands(),
-                             refused_draw_pixels(), refused_values(), refused_textures(message_of)})
+    for (const auto& some :
+         {refused_states(), refused_draws(), refused_pixel_commands(), refused_draw_pixels(),
+          refused_values(), refused_textures(message_of), test::refused_surfaces(refusal)})
         happened.insert(happened.end(), some.begin(), some.end());
     const std::vector<std::string> listed = messages_of_the_page();
     EXPECT_GE(listed.size(), 90u);
@@ -368,7 +369,6 @@ TEST(ManualRefusals, EachIsListedAndHappens) {
         EXPECT_TRUE(found.contains(message)) << "does not happen: " << message;
 }
 
-/// A list that is refused has changed nothing.
 TEST(ManualRefusals, ARefusedListChangesNothing) {
     const auto machine = make_reference(vgx(), 4, 4);
     CommandList list;
