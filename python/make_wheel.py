@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Packs the built package as a wheel for pip, with the libraries that it needs beside it. It runs
 on any Linux with Debian 12's glibc or a later one, and the same Python.
-Usage: make_wheel.py PACKAGE_DIR VERSION OUTPUT_DIR: needs patchelf and python3-wheel
+Usage: make_wheel.py PACKAGE_DIR OSMESA VERSION OUTPUT_DIR: needs patchelf and python3-wheel.
+    OSMESA: libOSMesa.so.8 for gw.osmesa, or "" for none
 """
 import pathlib
 import platform
@@ -11,7 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-package, version, output = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+package, osmesa, version = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+output = pathlib.Path(sys.argv[4])
 root = pathlib.Path(__file__).resolve().parent.parent
 # Of every Linux, or bound to its loader: these are the system's.
 system = re.compile(r"lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+)\.so|ld-linux")
@@ -27,13 +29,20 @@ with tempfile.TemporaryDirectory() as folder:
     top = pathlib.Path(folder) / f"gw-{version}"
     shutil.copytree(package, top / "gw", ignore=shutil.ignore_patterns("__pycache__"))
     (module,) = (top / "gw").glob("_gw.*.so")
-    subprocess.run(["strip", "--strip-unneeded", module], check=True)
+    # What is looked for beside a module: where from it.
+    modules = {module: "$ORIGIN/lib"}
+    if osmesa:
+        (top / "gw/opengl").mkdir()
+        modules[pathlib.Path(shutil.copy(osmesa, top / "gw/opengl"))] = "$ORIGIN/../lib"
+    needed = {library for file in modules for library in libraries_of(file)}
     (top / "gw/lib").mkdir()
-    for library in libraries_of(module):
+    for library in needed:
         copied = top / "gw/lib" / library.name
         shutil.copy(library.resolve(), copied)
         subprocess.run(["patchelf", "--set-rpath", "$ORIGIN", copied], check=True)
-    subprocess.run(["patchelf", "--set-rpath", "$ORIGIN/lib", module], check=True)
+    for file, path in modules.items():
+        subprocess.run(["strip", "--strip-unneeded", file], check=True)
+        subprocess.run(["patchelf", "--set-rpath", path, file], check=True)
 
     # GW's own glibc is the oldest that serves.
     glibc = platform.libc_ver()[1].replace(".", "_")
