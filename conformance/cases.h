@@ -30,6 +30,7 @@ Case lines_and_points_case(Random& random);
 Case multipass_case(Random& random);
 Case occlusion_query_case(Random& random);
 Case pixels_case(Random& random);
+Case points_case(Random& random);
 Case polygon_mode_case(Random& random);
 Case profile_case(Random& random);
 Case raster_case(Random& random);

@@ -70,7 +70,9 @@ Profile opengl() {
                     .texture_cube = true,
                     .texture_seamless = true,
                     .texture_3d = true,
-                    .surfaces = true};
+                    .surfaces = true,
+                    .point_parameters = true,
+                    .point_sprite = true};
     return p;
 }
 
@@ -112,6 +114,8 @@ std::span<const ExtensionName> extension_names() {
         {"texture_seamless", &Extensions::texture_seamless},
         {"texture_3d", &Extensions::texture_3d},
         {"surfaces", &Extensions::surfaces},
+        {"point_parameters", &Extensions::point_parameters},
+        {"point_sprite", &Extensions::point_sprite},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

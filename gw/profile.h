@@ -45,6 +45,8 @@ struct Extensions {
     bool texture_seamless = false;  ///< TextureState::seamless
     bool texture_3d = false;        ///< three dimensions
     bool surfaces = false;          ///< MakeSurface, UseSurface, Blit
+    bool point_parameters = false;  ///< PointParameters
+    bool point_sprite = false;      ///< State::point_sprite
     bool operator==(const Extensions&) const = default;
 };
 

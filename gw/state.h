@@ -112,6 +112,14 @@ constexpr bool stipple_bit(const std::array<std::uint32_t, 32>& pattern, int x, 
     return (pattern[unsigned(y) % 32] >> (31 - unsigned(x) % 32) & 1) != 0;
 }
 
+/// Extension point_parameters: a point's size is point_size / sqrt(constant + linear d + quadratic
+/// d^2), d its distance from the eye, within min_size .. max_size pixels.
+struct PointParameters {
+    float constant = 1, linear = 0, quadratic = 0;
+    float min_size = 1, max_size = 128;
+    bool operator==(const PointParameters&) const = default;
+};
+
 enum class ShadeModel : std::uint8_t { Flat, Smooth };
 
 /// The source of a primitive's colour.
@@ -312,6 +320,9 @@ struct State {
     PolygonOffsetState polygon_offset;
     JitterState jitter;
     float point_size = 1;  ///< pixels, 1 .. 128; whole pixels unless smooth
+    PointParameters point_parameters;
+    /// Extension point_sprite: points are squares; TextureState::coord_replace
+    bool point_sprite = false;
     float line_width = 1;  ///< pixels, 1 .. 128; whole pixels unless smooth
     /// Antialiasing, if the profile has coverage_bits: alpha is multiplied by the covered part of
     /// the pixel.

@@ -131,6 +131,7 @@ struct TextureState {
     CombineState combine_rgb;
     CombineState combine_alpha{.operand0 = CombineOperand::Alpha,
                                .operand1 = CombineOperand::Alpha};
+    bool coord_replace = false;  ///< under State::point_sprite, s and t go from 0 to 1 over a point
     bool operator==(const TextureState&) const = default;
 };
 

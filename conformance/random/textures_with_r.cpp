@@ -223,4 +223,54 @@ Case cubes_case(Random& r) { return case_of(r, &Extensions::texture_seamless, an
 // Three dimensions of any size, under every wrap and filter.
 Case volumes_case(Random& r) { return case_of(r, &Extensions::texture_3d, any_volume); }
 
+namespace {
+
+PointParameters any_point_parameters(Random& r, double depth) {
+    const auto any_size = [&] {
+        return r.chance(50) ? float(r.between(1, 12)) : float(r.real(1, 9));
+    };
+    PointParameters p;
+    if (r.chance(70))
+        p = {float(r.real(-0.2, 1)), float(r.real(-0.2, 2) / depth),
+             float(r.real(-0.2, 2) / (depth * depth))};
+    if (r.chance(8)) p.quadratic = float(r.scaled(-1, 1, -100, 120));
+    if (r.chance(40)) p.min_size = any_size();
+    if (r.chance(40)) p.max_size = any_size();
+    return p;
+}
+
+}  // namespace
+
+// Points whose sizes depend on the distance, and sprites with textures of every kind.
+Case points_case(Random& r) {
+    Script s = script(r, any_opengl_profile(r, &Extensions::point_sprite));
+    const int draws = r.between(1, 6);
+    for (int i = 0; i < draws; ++i) {
+        State& state = s.state;
+        const bool outlines = r.chance(25);
+        const MeshWish wish{.normals = true, .texcoords = r.chance(80), .most = 6};
+        const MeshRef mesh = outlines ? any_mesh(r, s.frame, wish) : any_points(r, s.frame, wish);
+        Draw d = any_draw(s, with_units(r, *mesh));
+        state.more_textures = {};
+        any_units(r, state, d);
+        state.texture.coord_replace = r.chance(70);
+        if (state.more_textures.units) {
+            std::array<TextureState, 3> units = *state.more_textures.units;
+            for (TextureState& unit : units) unit.coord_replace = r.chance(60);
+            state.more_textures.units = std::make_shared<const std::array<TextureState, 3>>(units);
+        }
+        if (r.chance(40)) d.more_maps = nullptr;
+        state.polygon_mode = outlines ? PolygonMode::Point : PolygonMode::Fill;
+        state.point_sprite = r.chance(70);
+        state.point_smooth = s.out.profile.coverage_bits > 0 && r.chance(40);
+        state.point_size = state.point_smooth ? float(r.real(1, 9)) : float(r.between(1, 12));
+        state.point_parameters =
+            r.chance(70) ? any_point_parameters(r, eye_depth(s.frame)) : PointParameters{};
+        state.depth.test = r.chance(50);
+        add(s, std::move(d));
+        between_draws(s);
+    }
+    return s.out;
+}
+
 }  // namespace gw::conformance

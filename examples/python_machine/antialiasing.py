@@ -15,7 +15,8 @@ def is_smooth(state, ready):
     """[R9.23]"""
     if ready.filled:
         return state.polygon_smooth
-    return state.line_smooth if len(ready.corners) == 2 else state.point_smooth
+    return state.line_smooth if len(ready.corners) == 2 else (
+        state.point_smooth and not state.point_sprite)  # [R9.33]
 
 
 def limited(v, low, high):
@@ -122,7 +123,7 @@ def shapes(ready, state, s):
     """Lists of corners, counter-clockwise."""
     corners = ready.corners
     if len(corners) == 1:
-        return [disc(on_grid(corners[0], s), int(rne(2048 * state.point_size)))]
+        return [disc(on_grid(corners[0], s), int(rne(2048 * corners[0].vertex.point_size)))]
     if len(corners) == 2:
         return rectangles(ready, state, s)
     return [[on_grid(c, s) for c in counter_clockwise(corners)]]

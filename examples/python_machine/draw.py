@@ -8,7 +8,7 @@ from .fragments import FragmentStage
 from .geometry import PrimitiveStage
 from .numbers import one, rne
 from .rasterization import (Frame, OuterFrame, Perspective, covered, offset, quotient,
-                            reciprocal)
+                            reciprocal, whole)
 from .layers import VolumeStage, unit_look_ups
 from .resolved import Resolved
 from .state import ColorSource, FogSource, ShadeModel, draw_box
@@ -57,7 +57,10 @@ class PixelStage:
             return
         ready, = pieces
         x, y = covered(ready.corners, self.box, self.state, s, ready.steps)
-        self.shade(ready, Frame(ready.corners, s), x, y)
+        frame = Frame(ready.corners, s)
+        if len(ready.corners) == 1 and self.state.point_sprite:
+            frame.sprite_size = whole(ready.corners[0].vertex.point_size)
+        self.shade(ready, frame, x, y)
 
     def run_smooth(self, pieces, s):
         """[R9.28]"""

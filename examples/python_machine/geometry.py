@@ -2,7 +2,7 @@
 import math
 from dataclasses import dataclass, replace
 
-from . import antialiasing, fog, lighting, texture_coordinates
+from . import antialiasing, fog, lighting, points, texture_coordinates
 from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .primitives import identifier, primitives
@@ -20,6 +20,7 @@ class Vertex:
     secondary: tuple = ((0, 0, 0), (0, 0, 0))  # likewise, three each
     textures: tuple = ((0.0, 0.0, 0.0, 1.0),) * 4  # by unit
     fog: float = 0.0
+    point_size: float = 1.0
 
 
 class VertexStage:
@@ -57,6 +58,7 @@ class VertexStage:
         vertex = Vertex(clip, distances, *self.colors(i, point, n))
         vertex.textures = tuple(self.coordinates(unit, i, p, p_eye, point, n)
                                 for unit in range(4))
+        vertex.point_size = points.size_at(state, point)
         if state.fog.enable:
             coordinate = (mesh.fog_coordinates[i] if mesh.fog_coordinates
                           else self.current.fog_coordinate)

@@ -88,11 +88,16 @@ class VolumeStage(TextureStage):
         return self.state.wrap_s, wrap_t, self.wrap_r
 
     def texels(self, frame, corners, x, y):
-        given = [c.vertex.textures[self.unit] for c in corners]
-        denominator = Projective(frame, [c.w for c in corners], [g[3] for g in given])
-        q = denominator.q.at(x, y)
-        self.planes = [denominator.value([g[c] for g in given]) for c in range(3)]
-        self.q, self.x, self.y = denominator.q, x, y
+        sprite = self.sprite(frame)
+        if sprite:
+            self.q, self.planes = sprite.q, [(plane, 0) for plane in sprite.of]
+        else:
+            given = [c.vertex.textures[self.unit] for c in corners]
+            denominator = Projective(frame, [c.w for c in corners], [g[3] for g in given])
+            self.q = denominator.q
+            self.planes = [denominator.value([g[c] for g in given]) for c in range(3)]
+        self.x, self.y = x, y
+        q = self.q.at(x, y)
         self.U = [plane.at(x, y) for plane, _ in self.planes]
         values = [Value(u / np.maximum(q, 1), e, wrap)
                   for u, (_, e), wrap in zip(self.U, self.planes, self.wraps())]

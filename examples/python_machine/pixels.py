@@ -10,9 +10,10 @@ from .fragments import FragmentStage, colors_written
 from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
 from .layers import unit_look_ups, volume_texel_in_place
+from .place import texel_in_place
 from .resolved import Resolved, stencil_write_mask
 from .state import FogSource, Plane, ReadBuffer, corners_of, intersection, pixel_box
-from .texture import Texture, texel_in_place
+from .texture import Texture
 
 
 def box_of(machine):

@@ -48,3 +48,5 @@ class Profile:
     texture_seamless: bool = False
     texture_3d: bool = False
     surfaces: bool = False
+    point_parameters: bool = False
+    point_sprite: bool = False

@@ -25,7 +25,7 @@ def covered(corners, box, state, s, steps=0):
         return stippled_pixels(*piece_pixels(corners, box, s), state.polygon_stipple)
     if len(corners) == 2:
         return line_pixels(corners, box, whole(state.line_width), s, state.line_stipple, steps)
-    return point_pixels(corners[0], box, whole(state.point_size), s)
+    return point_pixels(corners[0], box, whole(corners[0].vertex.point_size), s)
 
 
 def whole(size):
@@ -125,6 +125,8 @@ def point_pixels(corner, box, size, s):
 class Frame:
     """[R9.6], [R9.7] How integers at the corners become gradients, for one piece, line or point."""
 
+    sprite_size = 0  # of a point that is a sprite [R9.32]
+
     def __init__(self, corners, s):
         self.s = s
         if len(corners) == 3:
@@ -167,6 +169,10 @@ class Frame:
         else:
             g = (0, 0)
         return IntegerPlane(a[0], *g, self.X0, self.Y0, self.s)
+
+    def sloped_plane(self, a0, Gx, Gy):
+        """[R9.32]"""
+        return IntegerPlane(a0, Gx, Gy, self.X0, self.Y0, self.s)
 
     def numerator(self, values, q):
         """The plane of a U of R9.14."""

@@ -242,6 +242,15 @@ class LineStipple:
 
 
 @dataclass
+class PointParameters:
+    constant: float = 1
+    linear: float = 0
+    quadratic: float = 0
+    min_size: float = 1
+    max_size: float = 128
+
+
+@dataclass
 class ColorMaterialUse:
     enable: bool = False
     face: int = Face.FrontAndBack
@@ -315,6 +324,9 @@ class State:
     compare_func: int = CompareFunc.LEqual
     wrap_r: int = Wrap.Repeat
     seamless: bool = False
+    point_parameters: PointParameters = field(default_factory=PointParameters)
+    point_sprite: bool = False
+    coord_replace: bool = False
     more_textures: Any = None  # states that have the members of textures only [R10.37]
 
     def of_unit(self, unit):

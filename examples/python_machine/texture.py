@@ -6,6 +6,7 @@ import numpy as np
 from .elementary import exp, power
 from .fragments import compare
 from .numbers import clamp, one, quantize, rescale, to_integer_array
+from .points import SpritePlanes
 from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
 from .state import MagFilter, MinFilter, TextureFormat, Wrap
 
@@ -228,8 +229,23 @@ class TextureStage:
         self.state, self.profile, self.texture = state.texture, profile, texture
         self.lod = Lod(state.texture_lod, len(texture.levels))
         self.projective = projective  # [R10.22]
+        self.replaces = state.coord_replace
+
+    def sprite(self, frame):
+        """[R9.32] The planes of a sprite; None: the unit has coordinates of vertices."""
+        if frame.sprite_size == 0 or not self.replaces:
+            return None
+        return SpritePlanes(frame, frame.sprite_size, self.texture.dimensions == 1)
 
     def texels(self, frame, corners, x, y):
+        sprite = self.sprite(frame)
+        if sprite:
+            W = reciprocal(sprite.q, x, y)
+            wraps = self.state.wrap_s, self.wrap_t(), Wrap.Repeat
+            s, t, r = (Coordinate(plane, 0, W, x, y, wrap, 0, None, self.texture.is_any_size())
+                       for plane, wrap in zip(sprite.of, wraps))
+            return self.shadow(s, t, r) if self.state.shadow_compare else self.filtered(
+                s, t, sprite.q, W, x, y)
         given = [c.vertex.textures[self.unit] for c in corners]
         w = [c.w for c in corners]
         if self.projective:
@@ -239,15 +255,18 @@ class TextureStage:
             denominator = Perspective(frame, w)
             in_front = np.ones(len(x), bool)
         W = reciprocal(denominator.q, x, y)
-        wrap_t = self.state.wrap_t if self.texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
         s, t, r = (self.coordinate(denominator, [g[c] for g in given], wrap, W, x, y)
-                   for c, wrap in enumerate((self.state.wrap_s, wrap_t, Wrap.Repeat)))
+                   for c, wrap in enumerate((self.state.wrap_s, self.wrap_t(), Wrap.Repeat)))
         if self.state.shadow_compare:
             result = self.shadow(s, t, r)
         else:
             result = self.filtered(s, t, denominator.q, W, x, y)
         result[~in_front] = one(self.profile.color_bits)  # [R10.19]
         return result
+
+    def wrap_t(self):
+        """[R10.26]"""
+        return self.state.wrap_t if self.texture.dimensions == 2 else Wrap.Clamp
 
     def coordinate(self, denominator, values, wrap, W, x, y):
         any_size = self.texture.is_any_size()
@@ -364,33 +383,3 @@ def look_ups(min_filter):
     return {MinFilter.Nearest: 1, MinFilter.NearestMipmapNearest: 1,
             MinFilter.NearestMipmapLinear: 2, MinFilter.Linear: 4,
             MinFilter.LinearMipmapNearest: 4, MinFilter.LinearMipmapLinear: 8}[min_filter]
-
-
-class Place:
-    """[R13.13] A coordinate that does not change; otherwise as `Coordinate`."""
-
-    limited, filtered_index = Coordinate.limited, Coordinate.filtered_index
-    wrapped = Coordinate.wrapped
-
-    def __init__(self, value, wrap):
-        self.value, self.wrap = value, wrap
-
-    def position(self, side):
-        scaled = np.array([np.floor(self.value * (256.0 * side))])
-        return to_integer_array(scaled, -2**30, 2**30)
-
-
-def texel_in_place(state, profile, texture, strq):
-    """[R13.13] A row of R, G, B, A."""
-    s, t, r, q = strq
-    if q <= 0:
-        return np.full((1, 4), one(profile.color_bits), np.int64)
-    lookup = state.texture
-    stage = TextureStage(state, profile, texture, False)
-    wrap_t = lookup.wrap_t if texture.dimensions == 2 else Wrap.Clamp  # [R10.26]
-    s, t = Place(s / q, lookup.wrap_s), Place(t / q, wrap_t)
-    if lookup.shadow_compare:
-        bits = texture.depth_bits
-        incoming = to_integer_array(np.array([np.floor(r / q * 2.0**bits)]), 0, one(bits))
-        return stage.compared(s, t, incoming)
-    return stage.look_up(stage.lod.base, lookup.mag_filter == MagFilter.Linear, s, t)

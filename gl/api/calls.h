@@ -118,6 +118,7 @@ void material(Context& context, GLenum face, GLenum pname, const Params& params)
 
 // 3.3 to 3.5 Points, lines and polygons
 void point_size(Context& context, GLfloat size);
+void point_parameter(Context& context, GLenum pname, const Params& params);
 void line_width(Context& context, GLfloat width);
 void line_stipple(Context& context, GLint factor, GLushort pattern);
 void cull_face(Context& context, GLenum mode);

@@ -17,6 +17,7 @@ int parameter_count(GLenum pname) {
         case GL_OBJECT_PLANE:
         case GL_EYE_PLANE:
         case GL_CLIP_PLANE0: return 4;
+        case GL_POINT_DISTANCE_ATTENUATION:
         case GL_SPOT_DIRECTION:
         case GL_COLOR_INDEXES: return 3;
         case GL_SPOT_EXPONENT:
@@ -28,6 +29,10 @@ int parameter_count(GLenum pname) {
         case GL_LIGHT_MODEL_LOCAL_VIEWER:
         case GL_LIGHT_MODEL_TWO_SIDE:
         case GL_LIGHT_MODEL_COLOR_CONTROL:
+        case GL_POINT_SIZE_MIN:
+        case GL_POINT_SIZE_MAX:
+        case GL_POINT_FADE_THRESHOLD_SIZE:
+        case GL_COORD_REPLACE:
         case GL_FOG_COORDINATE_SOURCE:
         case GL_FOG_MODE:
         case GL_FOG_DENSITY:

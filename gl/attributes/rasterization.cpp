@@ -15,6 +15,22 @@ void point_size(Context& context, GLfloat size) {
     change(context, context.state.point.size, size);
 }
 
+/// [GL14] 3.3
+void point_parameter(Context& context, GLenum pname, const Params& params) {
+    PointState& s = context.state.point;
+    if (pname == GL_POINT_DISTANCE_ATTENUATION) {
+        if (params.count < 3) return set_error(context, GL_INVALID_ENUM);
+        return change(context, s.attenuation, vec3(params.as_vec4()));
+    }
+    float* const field = pname == GL_POINT_SIZE_MIN              ? &s.min_size
+                         : pname == GL_POINT_SIZE_MAX            ? &s.max_size
+                         : pname == GL_POINT_FADE_THRESHOLD_SIZE ? &s.fade_threshold
+                                                                 : nullptr;
+    if (field == nullptr) return set_error(context, GL_INVALID_ENUM);
+    if (!(params[0] >= 0)) return set_error(context, GL_INVALID_VALUE);
+    change(context, *field, float(params[0]));
+}
+
 void line_width(Context& context, GLfloat width) {
     if (!(width > 0)) return set_error(context, GL_INVALID_VALUE);
     change(context, context.state.line.width, width);

@@ -91,6 +91,14 @@ void set_sizes(gw::State& out, const State& s, const Profile& profile) {
     out.line_smooth = smooths && s.line.smooth;
     out.polygon_smooth = smooths && s.polygon.smooth;
     out.point_size = machine_size(s.point.size, out.point_smooth);
+    const Extensions& has = profile.extensions;
+    if (has.point_parameters)
+        out.point_parameters = {.constant = s.point.attenuation.x,
+                                .linear = s.point.attenuation.y,
+                                .quadratic = s.point.attenuation.z,
+                                .min_size = clamped_size(s.point.min_size),
+                                .max_size = clamped_size(s.point.max_size)};
+    out.point_sprite = has.point_sprite && s.point.sprite;
     out.line_width = machine_size(s.line.width, out.line_smooth);
 }
 
@@ -168,6 +176,9 @@ void set_texture(gw::TextureState& out, const Context& context, std::size_t unit
     const auto target = enabled_target(s);
     if (!target) return;
     const TextureObject& object = *context.textures.bound[unit][*target];
+    const PointState& point = context.state.point;
+    out.coord_replace =
+        context.profile.extensions.point_sprite && point.sprite && point.coord_replace[unit];
     set_look_up(out, context, object, *target);
     out.env = word<gw::TexEnv>(s.env_mode);
     out.env_color = s.env_color;

@@ -112,6 +112,14 @@ void add_lighting(Table& t) {
 
 void add_rasterization(Table& t) {
     t[GL_POINT_SIZE] = [](Context& context) { return number(context.state.point.size); };
+    t[GL_POINT_SIZE_MIN] = [](Context& context) { return number(context.state.point.min_size); };
+    t[GL_POINT_SIZE_MAX] = [](Context& context) { return number(context.state.point.max_size); };
+    t[GL_POINT_FADE_THRESHOLD_SIZE] = [](Context& context) {
+        return number(context.state.point.fade_threshold);
+    };
+    t[GL_POINT_DISTANCE_ATTENUATION] = [](Context& context) {
+        return numbers_of(context.state.point.attenuation);
+    };
     t[GL_LINE_WIDTH] = [](Context& context) { return number(context.state.line.width); };
     t[GL_LINE_STIPPLE_PATTERN] = [](Context& context) {
         return whole(context.state.line.stipple_pattern);

@@ -16,6 +16,8 @@ namespace {
 
 std::optional<QueryValues> tex_env_values(const Context& context, GLenum target, GLenum pname) {
     const TextureUnit& s = context.state.texture.unit();
+    if (target == GL_POINT_SPRITE && pname == GL_COORD_REPLACE)
+        return whole(context.state.point.coord_replace[context.state.texture.active]);
     if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS)
         return number(s.lod_bias);
     if (target != GL_TEXTURE_ENV) return std::nullopt;

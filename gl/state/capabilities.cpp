@@ -14,6 +14,7 @@ namespace {
 std::vector<Capability> make_capabilities() {
     std::vector<Capability> table{
         {GL_POINT_SMOOTH, [](State& s, int) -> bool& { return s.point.smooth; }},
+        {GL_POINT_SPRITE, [](State& s, int) -> bool& { return s.point.sprite; }},
         {GL_LINE_SMOOTH, [](State& s, int) -> bool& { return s.line.smooth; }},
         {GL_LINE_STIPPLE, [](State& s, int) -> bool& { return s.line.stipple; }},
         {GL_CULL_FACE, [](State& s, int) -> bool& { return s.polygon.cull; }},

@@ -51,7 +51,11 @@ struct CurrentState {
 /// GL_POINT_BIT
 struct PointState {
     float size = 1;
-    bool smooth = false;
+    bool smooth = false, sprite = false;
+    float min_size = 0, max_size = 128;
+    float fade_threshold = 1;  ///< without effect: there are no samples
+    vec3 attenuation{1, 0, 0};
+    std::array<bool, 4> coord_replace{};  ///< of texture units
 };
 
 /// GL_LINE_BIT

@@ -72,6 +72,14 @@ void set_mode(Context& context, GLenum mode) {
     change(context, context.state.texture.unit().env_mode, mode);
 }
 
+/// GL_ARB_point_sprite: of the unit.
+void set_coord_replace(Context& context, GLenum pname, double value) {
+    if (pname != GL_COORD_REPLACE || !context.profile.extensions.point_sprite)
+        return set_error(context, GL_INVALID_ENUM);
+    if (value != 0 && value != 1) return set_error(context, GL_INVALID_VALUE);
+    change(context, context.state.point.coord_replace[context.state.texture.active], value != 0);
+}
+
 }  // namespace
 
 namespace execute {
@@ -79,6 +87,7 @@ namespace execute {
 void tex_env(Context& context, GLenum target, GLenum pname, const Params& params) {
     TextureUnit& s = context.state.texture.unit();
     const Extensions& has = context.profile.extensions;
+    if (target == GL_POINT_SPRITE) return set_coord_replace(context, pname, params[0]);
     if (target == GL_TEXTURE_FILTER_CONTROL && has.texture_lod) {
         if (pname != GL_TEXTURE_LOD_BIAS) return set_error(context, GL_INVALID_ENUM);
         return change(context, s.lod_bias, float(params[0]));

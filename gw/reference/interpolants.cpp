@@ -1,6 +1,7 @@
 #include "gw/reference/interpolants.h"
 
 #include "gw/stages/fog.h"
+#include "gw/stages/raster/points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,6 +67,17 @@ void set_fog(Interpolants& v, std::span<const Corner> corners, const PlaneMaker&
     }
 }
 
+void set_slopes(const Interpolants& values, TextureValues& v) {
+    const auto slope = [&](const PlaneEquation& p) {
+        return slope_of(p, values.slope_x, values.slope_y);
+    };
+    v.q_slope = slope(v.q);
+    for (PerspectiveValue* const c : {&v.s, &v.t, &v.r}) {
+        c->plane_slope = slope(c->plane);
+        c->slope = coordinate_slope(c->plane_slope, v.q_slope);
+    }
+}
+
 void set_texture(Interpolants& values, std::size_t unit, std::span<const Corner> corners,
                  const PlaneMaker& plane, const TextureState& state) {
     TextureValues& v = values.textures[unit];
@@ -87,14 +99,7 @@ void set_texture(Interpolants& values, std::size_t unit, std::span<const Corner>
         v.s = perspective_value(texture_numerators(along(0), w, repeats(state.wrap_s)), plane);
         v.t = perspective_value(texture_numerators(along(1), w, repeats(state.wrap_t)), plane);
     }
-    const auto slope = [&](const PlaneEquation& p) {
-        return slope_of(p, values.slope_x, values.slope_y);
-    };
-    v.q_slope = slope(v.q);
-    for (PerspectiveValue* const c : {&v.s, &v.t, &v.r}) {
-        c->plane_slope = slope(c->plane);
-        c->slope = coordinate_slope(c->plane_slope, v.q_slope);
-    }
+    set_slopes(values, v);
 }
 
 }  // namespace
@@ -128,6 +133,24 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
             set_texture(v, unit, corners, plane, texture_of(r.state, unit));
     }
     return v;
+}
+
+void set_sprite(Interpolants& values, std::size_t unit, int size, bool without_t) {
+    TextureValues& v = values.textures[unit];
+    const auto plane = [&](std::int64_t at, std::int64_t gx, std::int64_t gy) {
+        PlaneEquation p = plane_constant(at, values.depth.subpixel_bits);
+        p.x0 = values.depth.x0;
+        p.y0 = values.depth.y0;
+        p.gx = gx;
+        p.gy = gy;
+        return p;
+    };
+    const std::int64_t g = sprite_gradient(size), half = sprite_denominator / 2;
+    v.q = plane(sprite_denominator, 0, 0);
+    v.s = {.plane = plane(half, g, 0)};
+    v.t = {.plane = without_t ? plane(0, 0, 0) : plane(half, 0, -g)};
+    v.r = {.plane = plane(0, 0, 0)};
+    set_slopes(values, v);
 }
 
 Interpolants limited_to_pixel(Interpolants v, int x, int y) {

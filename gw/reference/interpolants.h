@@ -73,6 +73,10 @@ Interpolants interpolants(std::span<const Corner> corners, const PlaneMaker& pla
                           const Resolved& state, const Profile& profile,
                           const TextureUses& textures);
 
+/// Sets the texture coordinates of a point sprite of `size` pixels in a unit: s and t from 0 to 1, t
+/// downwards, or 0.
+void set_sprite(Interpolants& values, std::size_t unit, int size, bool without_t);
+
 /// The same values at one pixel outside the primitive: each plane is limited to the values of its
 /// corners.
 Interpolants limited_to_pixel(Interpolants values, int x, int y);

@@ -4,6 +4,7 @@
 #include "gw/reference/smooth.h"
 #include "gw/stages/fan.h"
 #include "gw/stages/polygon_offset.h"
+#include "gw/stages/raster/points.h"
 #include "gw/stages/stipple.h"
 #include "gw/stages/texgen.h"
 
@@ -146,7 +147,15 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
     });
 }
 
-void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted) {
+/// The texture coordinates of a sprite, in units that replace theirs.
+void set_sprites(const Drawing& d, Shader& shade, int size) {
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (d.texture_uses[unit] != TextureUse::None && is_sprite(d.state(), unit))
+            set_sprite(shade.values, unit, size, is_one_dimensional(*d.context.draw, unit));
+}
+
+void draw_point(const Drawing& d, std::uint32_t index, const Source& s, bool counted) {
+    const Vertex& v = d.vertices[index];
     const bool left = !clip({v}, d.context.state.viewport).vertices.empty();
     if (counted) (left ? d.counters().drawn : d.counters().rejected) += 1;
     if (!left) return;
@@ -160,8 +169,10 @@ void draw_point(const Drawing& d, const Vertex& v, const Source& s, bool counted
         return p;
     };
     Shader shade = shader(d, corners, plane, s);
-    if (d.state().point_smooth) return draw_smooth_point(shade, x, y);
-    cover_point(x, y, whole_size(d.state().point_size), d.subpixel_bits(), d.context.state.draw_box,
+    const float size = point_size_of(d.state(), *d.context.draw, index);
+    if (smooths_points(d.state())) return draw_smooth_point(shade, x, y, size);
+    if (d.state().point_sprite) set_sprites(d, shade, whole_size(size));
+    cover_point(x, y, whole_size(size), d.subpixel_bits(), d.context.state.draw_box,
                 [&](int i, int k) { shade.pixel(i, k); });
 }
 
@@ -185,9 +196,9 @@ void outline(const Drawing& d, const Triangle& t, const Source& s, PolygonMode m
              std::uint64_t& stippled) {
     for (std::size_t k = 0; k < 3; ++k) {
         if (!(t.edges >> k & 1)) continue;
-        const Vertex &a = d.vertices[t.vertex[k]], &b = d.vertices[t.vertex[(k + 1) % 3]];
+        const std::uint32_t a = t.vertex[k], b = t.vertex[(k + 1) % 3];
         if (mode == PolygonMode::Line)
-            draw_line(d, a, b, s, false, stippled);
+            draw_line(d, d.vertices[a], d.vertices[b], s, false, stippled);
         else
             draw_point(d, a, s, false);
     }
@@ -284,7 +295,7 @@ void draw_mesh(const DrawContext& context) {
         ++ordinal;
     }
     for (const std::uint32_t v : mesh.points()) {
-        draw_point(d, d.vertices[v], {ordinal, ordinal, v}, true);
+        draw_point(d, v, {ordinal, ordinal, v}, true);
         ++ordinal;
     }
 }

@@ -87,11 +87,10 @@ void draw_smooth_line(const Shader& shade, const SnappedLine& line, std::uint64_
                      });
 }
 
-void draw_smooth_point(const Shader& shade, std::int64_t x, std::int64_t y) {
+void draw_smooth_point(const Shader& shade, std::int64_t x, std::int64_t y, float size) {
     const int s = shade.context.profile->subpixel_bits;
     Areas areas(shade.context.state.draw_box);
-    areas.add(disc({shape_coordinate(x, s), shape_coordinate(y, s)},
-                   half_size(shade.context.state.state.point_size)));
+    areas.add(disc({shape_coordinate(x, s), shape_coordinate(y, s)}, half_size(size)));
     for_each_covered(
         areas, shade.context.profile->coverage_bits,
         [&](int i, int k, std::uint32_t coverage, std::size_t) { shade.pixel(i, k, coverage); });

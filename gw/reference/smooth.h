@@ -47,6 +47,6 @@ void draw_smooth_polygon(const std::vector<SmoothPiece>& pieces);
 /// `stippled`: steps before the line.
 void draw_smooth_line(const Shader& shade, const SnappedLine& line, std::uint64_t stippled);
 /// Around a snapped position.
-void draw_smooth_point(const Shader& shade, std::int64_t x, std::int64_t y);
+void draw_smooth_point(const Shader& shade, std::int64_t x, std::int64_t y, float size);
 
 }  // namespace gw::reference

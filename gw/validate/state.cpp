@@ -55,6 +55,7 @@ void check_extensions(const Checker& c, const TextureState& s) {
     c.extension(s.shadow_compare, e.shadow_texture || e.texture_depth, "shadow_texture");
     c.extension(s.compare_func != CompareFunc::LEqual, e.texture_depth, "texture_depth");
     c.extension(s.wrap_r != Wrap::Repeat, e.texture_3d, "texture_3d");
+    c.extension(s.coord_replace, e.point_sprite, "point_sprite");
     c.extension(s.seamless, e.texture_seamless, "texture_seamless");
 }
 
@@ -69,6 +70,8 @@ void check_extensions(const Checker& c, const State& s) {
     c.extension(s.line_stipple.enable || s.polygon_stipple.pattern, e.stipple, "stipple");
     c.extension(s.point_smooth || s.line_smooth || s.polygon_smooth, c.profile.coverage_bits > 0,
                 "antialiasing");
+    c.extension(s.point_parameters != PointParameters{}, e.point_parameters, "point_parameters");
+    c.extension(s.point_sprite, e.point_sprite, "point_sprite");
     c.extension(s.two_side_polygon_mode, e.two_sided_polygon_mode, "two_sided_polygon_mode");
     if (s.stencil.test) {
         check_words(c, s.stencil);

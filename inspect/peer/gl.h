@@ -26,6 +26,7 @@
     X(BlendColor, 14, "GL_EXT_blend_color", "EXT") X(BlendEquation, 14, "GL_EXT_blend_minmax", "EXT") \
     X(FogCoordd, 14, "GL_EXT_fog_coord", "EXT") X(WindowPos2i, 14, "GL_ARB_window_pos", "ARB") X(WindowPos3d, 14, "GL_ARB_window_pos", "ARB") \
     X(ClipControl, 45, "GL_ARB_clip_control", "") X(SecondaryColor3ubv, 14, "GL_EXT_secondary_color", "EXT") \
+    X(PointParameterfv, 14, "GL_ARB_point_parameters", "ARB") \
     X(StencilFuncSeparate, 20, "", "") X(StencilMaskSeparate, 20, "", "") X(StencilOpSeparate, 20, "", "")
 // clang-format on
 

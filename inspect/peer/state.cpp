@@ -66,6 +66,26 @@ void apply(const PolygonStippleState& stipple) {
     gl().PolygonStipple(bytes.data());
 }
 
+void apply(const PointParameters& p) {
+    if (!gl().PointParameterfv) {
+        if (p != PointParameters{}) refuse("OpenGL 1.4", "point_parameters");
+        return;
+    }
+    const GLfloat attenuation[] = {p.constant, p.linear, p.quadratic};
+    gl().PointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+    gl().PointParameterfv(GL_POINT_SIZE_MIN, &p.min_size);
+    gl().PointParameterfv(GL_POINT_SIZE_MAX, &p.max_size);
+}
+
+void apply_sprites(const State& s) {
+    if (gl().version < 20) {
+        if (s.point_sprite) refuse("OpenGL 2.0", "point_sprite");
+        return;
+    }
+    enable(GL_POINT_SPRITE, s.point_sprite);
+    gl().TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, s.texture.coord_replace);
+}
+
 void apply_primitives(const State& s) {
     // OpenGL 1.1 tells the ranges of smooth ones only.
     const bool has_aliased = gl().version >= 12;
@@ -77,6 +97,8 @@ void apply_primitives(const State& s) {
         s.line_width, "line_width");
     gl().PointSize(s.point_size);
     gl().LineWidth(s.line_width);
+    apply(s.point_parameters);
+    apply_sprites(s);
     enable(GL_POINT_SMOOTH, s.point_smooth);
     enable(GL_LINE_SMOOTH, s.line_smooth);
     enable(GL_POLYGON_SMOOTH, s.polygon_smooth);

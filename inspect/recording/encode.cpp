@@ -364,7 +364,7 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
         e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
         e.occlusion_query, e.clip_control, e.texture_units, e.texture_depth, e.texture_cube,
-        e.texture_seamless, e.texture_3d, e.surfaces);
+        e.texture_seamless, e.texture_3d, e.surfaces, e.point_parameters, e.point_sprite);
 }
 
 bool needs_version_2(const Profile& p) {

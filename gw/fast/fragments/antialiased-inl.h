@@ -11,6 +11,7 @@
 #include "gw/fast/fragments/smooth_painter-inl.h"
 #include "gw/fast/raster/cover-inl.h"
 #include "gw/stages/area.h"
+#include "gw/stages/raster/points.h"
 
 #include <algorithm>
 #include <array>
@@ -233,7 +234,7 @@ public:
 
 private:
     void draw_point(BatchPlanes& planes, std::size_t i, const PrimitiveFrame& frame) {
-        find(disc_of(draw_.op->state.state.point_size),
+        find(disc_of(frame.point_size),
              {shape_coordinate(frame.x[0], frame.s), shape_coordinate(frame.y[0], frame.s)});
         SmoothPainter painter(planes, i, frame, counts_);
         coverage_.for_each_block(
@@ -302,7 +303,7 @@ inline void draw_antialiased(const TileDraw& draw, std::span<const std::uint32_t
                     s.line_stipple.enable ? draw_now(bin[i], stippled) : shapes.add(bin[i]);
                 break;
             case MeshKind::Points:
-                s.point_smooth ? shapes.add(bin[i]) : draw_now(bin[i], other);
+                smooths_points(s) ? shapes.add(bin[i]) : draw_now(bin[i], other);
                 break;
         }
         const bool polygon_ends = i + 1 == bin.size() || primitives[bin[i + 1]].part != p.part ||

@@ -3,6 +3,7 @@
 #include "gw/base/parallel.h"
 #include "gw/base/prefetch.h"
 #include "gw/stages/fog.h"
+#include "gw/stages/raster/points.h"
 #include "gw/stages/tables.h"
 #include "gw/stages/texgen.h"
 
@@ -306,9 +307,10 @@ struct Planner {
         op.wide_texcoords = op.texcoords && op.texcoords->are_wide && !op.projective;
         // Borders in more than 8 bits have no pairs.
         const TextureState& texture = op.state.state.texture;
-        op.by_pixel = op.texels && (op.units || op.projective || op.wide_texcoords ||
-                                    has_rare_lookup(texture, op.texels->texels) ||
-                                    (!op.pairs && reaches_border(texture)));
+        op.by_pixel =
+            op.texels &&
+            (op.units || op.projective || op.wide_texcoords || is_sprite(op.state.state, 0) ||
+             has_rare_lookup(texture, op.texels->texels) || (!op.pairs && reaches_border(texture)));
         machine.passes[pass].counters += op.group->counters();
     }
 };

@@ -1,5 +1,7 @@
 #include "gw/fast/plan/plan.h"
 
+#include "gw/stages/raster/points.h"
+
 #include <algorithm>
 #include <deque>
 #include <utility>
@@ -11,7 +13,8 @@ namespace {
 /// Stippled and antialiased fragments are not those of the covered centres. Records know one colour
 /// plane, and no rare values.
 bool is_special(const State& s) {
-    return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s) || draws_to_both(s);
+    return s.line_stipple.enable || s.polygon_stipple.pattern || antialiases(s) ||
+           draws_to_both(s) || sizes_points(s) || s.point_sprite;
 }
 
 bool may_share(const DrawOp& op) {

@@ -28,8 +28,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 HWY_INLINE PrimitiveFrame frame_of(const TileDraw& draw, std::uint32_t ordinal) {
     const GeometrySet& set = *draw.op->set;
-    return primitive_frame(set, set.primitives[ordinal], draw.op->state.state.jitter,
-                           draw.profile->subpixel_bits, draw.tile);
+    const SetupPrimitive& primitive = set.primitives[ordinal];
+    PrimitiveFrame frame = primitive_frame(set, primitive, draw.op->state.state.jitter,
+                                           draw.profile->subpixel_bits, draw.tile);
+    if (primitive.kind == MeshKind::Points) frame.point_size = point_size_of(draw, primitive);
+    return frame;
 }
 
 /// A value at each corner of each triangle: out[corner][lane] = value(vertex).

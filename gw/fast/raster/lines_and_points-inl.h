@@ -115,7 +115,7 @@ inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& fram
     if (frame.kind == MeshKind::Lines)
         line_pixels(draw, frame, whole_size(s.line_width), pixels);
     else
-        point_pixels(draw, frame, whole_size(s.point_size), pixels);
+        point_pixels(draw, frame, whole_size(frame.point_size), pixels);
     pixels.visit(visit);
 }
 

@@ -9,7 +9,10 @@
 #include "gw/fast/vertices/vertex_values.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/polygon_offset.h"
+#include "gw/stages/raster/points.h"
+#include "gw/stages/resolve.h"
 #include "gw/stages/texels.h"
+#include "gw/stages/vertex.h"
 
 #include <algorithm>
 #include <cmath>
@@ -140,16 +143,35 @@ struct Maker {
     }
 
     void texture(TexturePlanes& out) const {
-        if (!op().units)
-            return texture(out, state().texture, {op().texels, op().texcoords, op().projective});
+        if (!op().units) return texture(out, 0, {op().texels, op().texcoords, op().projective});
         out.more.resize(max_texture_units - 1);
         for (std::size_t unit = 0; unit < max_texture_units; ++unit)
             if ((*op().units)[unit].texels)
-                texture(unit == 0 ? out : out.more[unit - 1], texture_of(state(), unit),
-                        (*op().units)[unit]);
+                texture(unit == 0 ? out : out.more[unit - 1], unit, (*op().units)[unit]);
     }
 
-    void texture(TexturePlanes& out, const TextureState& ts, const UnitOp& unit) const {
+    /// s and t from 0 to 1, t downwards, or 0.
+    void sprite(TexturePlanes& out, const UnitOp& unit, bool without_t) const {
+        const std::int64_t g = sprite_gradient(whole_size(frame.point_size)),
+                           half = sprite_denominator / 2;
+        out.q = PrimitiveFrame::constant(sprite_denominator);
+        out.s = {.plane = frame.sprite_plane(half, g, 0)};
+        out.t = {.plane =
+                     without_t ? PrimitiveFrame::constant(0) : frame.sprite_plane(half, 0, -g)};
+        out.r = {.plane = PrimitiveFrame::constant(0)};
+        const Values at{half, half, half}, zero{}, q{sprite_denominator};
+        slopes(out, q, at, without_t ? zero : at);
+        if (!unit.texels->texels.with_r) return;
+        out.q_slope = slope_of(out.q, q);
+        out.s.plane_slope = slope_of(out.s.plane, at);
+        out.t.plane_slope = slope_of(out.t.plane, without_t ? zero : at);
+        out.r.plane_slope = slope_of(out.r.plane, zero);
+    }
+
+    void texture(TexturePlanes& out, std::size_t number, const UnitOp& unit) const {
+        if (primitive.kind == MeshKind::Points && is_sprite(state(), number))
+            return sprite(out, unit, is_one_dimensional(*op().draws[0], number));
+        const TextureState& ts = texture_of(state(), number);
         Numerators s, t, r;
         Values q;
         if (unit.projective) {
@@ -236,9 +258,23 @@ void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
     Maker{draw, primitive, frame}.rare(out);
 }
 
+namespace {
+
+const Draw& draw_of(const DrawOp& op, const SetupPrimitive& primitive) {
+    return *op.draws[primitive.part - op.group->first_part];
+}
+
+}  // namespace
+
+float point_size_of(const TileDraw& draw, const SetupPrimitive& primitive) {
+    const DrawOp& op = *draw.op;
+    return gw::point_size_of(op.state.state, draw_of(op, primitive),
+                             primitive.vertex[0] - op.set->parts[primitive.part].vertex);
+}
+
 Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive) {
     const DrawOp& op = *draw.op;
-    const Draw& d = *op.draws[primitive.part - op.group->first_part];
+    const Draw& d = draw_of(op, primitive);
     const std::uint32_t id = (d.id_base + d.mesh->polygon_id(primitive.polygon)) >> d.id_shift;
     return {std::uint16_t(id & 255), std::uint16_t(id >> 8 & 255), std::uint16_t(id >> 16 & 255),
             std::uint16_t(max_of_bits(op.state.bits))};

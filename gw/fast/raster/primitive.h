@@ -140,6 +140,8 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
 /// Of a draw that has_rare_values().
 void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                       const PrimitiveFrame& frame, RarePlanes& out);
+/// The size of a point.
+float point_size_of(const TileDraw& draw, const SetupPrimitive& primitive);
 /// The colour of a primitive's identifier.
 Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,

@@ -52,6 +52,7 @@ struct PrimitiveFrame {
     std::int64_t dx1 = 0, dy1 = 0, dx2 = 0, dy2 = 0, area2 = 1;  ///< triangles
     bool x_major = true;                                         ///< lines
     std::int64_t length = 1;                                     ///< lines: of the major axis
+    float point_size = 1;                                        ///< points
     std::uint32_t stippled = 0;                                  ///< lines: steps before it
     /// vertex that planes start from
     std::size_t base = 0;
@@ -71,6 +72,10 @@ struct PrimitiveFrame {
             case MeshKind::Points: break;
         }
         return constant(a[0]);
+    }
+    /// A plane of a sprite, with these gradients.
+    TilePlane sprite_plane(std::int64_t a, std::int64_t gx, std::int64_t gy) const {
+        return at_tile(a, gx, gy, false);
     }
     static TilePlane constant(std::int64_t a) { return {(std::uint64_t(a) << 16) + (1u << 15)}; }
 

@@ -10,6 +10,7 @@
 
 #include "gw/fast/raster/corners-inl.h"
 #include "gw/fast/vertices/vertex_values.h"
+#include "gw/stages/raster/points.h"
 #include "gw/stages/texels.h"
 
 #include <cmath>
@@ -215,7 +216,8 @@ inline void set_up_textures(const TileDraw& draw, const Corners& t,
 #if HWY_HAVE_FLOAT64
     const TextureState& s = draw.op->state.state.texture;
     const bool mirrors = s.wrap_s == Wrap::MirroredRepeat || s.wrap_t == Wrap::MirroredRepeat;
-    if (!draw.op->projective && !draw.op->wide_texcoords && !mirrors && !draw.op->units)
+    if (!draw.op->projective && !draw.op->wide_texcoords && !mirrors && !draw.op->units &&
+        !is_sprite(draw.op->state.state, 0))
         return set_up_perspective(draw, t, shared, out);
 #endif
     for (std::size_t i = 0; i < t.count; ++i) texture_one(draw, t, i, out[i]);

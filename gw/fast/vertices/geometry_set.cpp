@@ -2,6 +2,7 @@
 #include "gw/fast/vertices/geometry.h"
 
 #include "gw/stages/polygon_offset.h"
+#include "gw/stages/raster/points.h"
 
 #include <algorithm>
 
@@ -27,7 +28,8 @@ GeometryState geometry_state(const State& s) {
             .keeps_slopes = {offsets_outline(offset, mode_of(s, false)),
                              offsets_outline(offset, s.polygon_mode)},
             .stipple_period = s.line_stipple.enable ? 16 * s.line_stipple.factor : 0,
-            .point_margin = margin(s.point_size, s.point_smooth),
+            .point_margin = margin(sizes_points(s) ? s.point_parameters.max_size : s.point_size,
+                                   smooths_points(s)),
             .line_margin = margin(s.line_width, s.line_smooth),
             .fill_margin = s.polygon_smooth ? 1 : 0,
             .line_smooth = s.line_smooth};

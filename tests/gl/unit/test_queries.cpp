@@ -88,6 +88,11 @@ const std::vector<Initial> initial_state{
     // Table 6.12
     {GL_POINT_SIZE, {1}},
     {GL_POINT_SMOOTH, {0}},
+    {GL_POINT_SIZE_MIN, {0}},
+    {GL_POINT_SIZE_MAX, {128}},
+    {GL_POINT_FADE_THRESHOLD_SIZE, {1}},
+    {GL_POINT_DISTANCE_ATTENUATION, {1, 0, 0}},
+    {GL_POINT_SPRITE, {0}},
     {GL_LINE_WIDTH, {1}},
     {GL_LINE_SMOOTH, {0}},
     {GL_LINE_STIPPLE_PATTERN, {0xFFFF}},

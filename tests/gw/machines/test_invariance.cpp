@@ -104,6 +104,12 @@ const Change changes[] = {
     // Widths matter only to lines and points: filled faces do not have them.
     {"point_size", [](State& s) { s.point_size = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
     {"line_width", [](State& s) { s.line_width = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
+    {"point_parameters",
+     [](State& s) {
+         if (s.polygon_mode == PolygonMode::Fill)
+             s.point_parameters = {.linear = 1, .min_size = 7, .max_size = 9};
+     }},
+    {"point_sprite", [](State& s) { s.point_sprite = s.texture.coord_replace = true; }},
     {"sizes in parts of a pixel", [](State& s) { s.point_size = s.line_width = 1.25f; }},
     {"normalize", [](State& s) { s.normalize = false; }},
     {"lighting.color_material",
@@ -165,10 +171,11 @@ const Change changes[] = {
     [[maybe_unused]] const auto& [projection, normalize, viewport, depth_range, clip_control,
                                   clip_planes, cull, polygon_mode, two_side_polygon_mode,
                                   back_polygon_mode, line_stipple, polygon_stipple, polygon_offset,
-                                  jitter, point_size, line_width, point_smooth, line_smooth,
-                                  polygon_smooth, shade_model, color_source, lighting, color_sum,
-                                  fog, texture, more_textures, scissor, alpha, stencil, depth,
-                                  blend, logic_op, color_mask, draw_buffer, read_buffer] = state;
+                                  jitter, point_size, point_parameters, point_sprite, line_width,
+                                  point_smooth, line_smooth, polygon_smooth, shade_model,
+                                  color_source, lighting, color_sum, fog, texture, more_textures,
+                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask,
+                                  draw_buffer, read_buffer] = state;
 }
 
 struct Scene {
@@ -192,6 +199,8 @@ Scene any_scene(std::uint64_t seed) {
     scene.where.profile.extensions.secondary_color = true;
     scene.where.profile.extensions.fog_coordinate = true;
     scene.where.profile.extensions.texture_units = true;
+    scene.where.profile.extensions.point_parameters = true;
+    scene.where.profile.extensions.point_sprite = true;
     scene.state.color_source = ColorSource::Vertex;
     for (const Command& command : s.out.list.commands)
         if (const auto* draw = std::get_if<Draw>(&command)) scene.draws.push_back(*draw);

@@ -144,6 +144,14 @@ std::vector<std::string> refused_states() {
     for (const auto f : {&TextureLodState::bias, &TextureLodState::min, &TextureLodState::max})
         add_level(f, nan);
     add_level(&TextureLodState::base_level, 1001);
+    const auto add_points = [&](float PointParameters::*member, float value) {
+        out.push_back(
+            refused_state([&](State& s) { s.point_parameters.*member = value; }, opengl()));
+    };
+    for (const auto f :
+         {&PointParameters::constant, &PointParameters::linear, &PointParameters::quadratic})
+        add_points(f, nan);
+    for (const auto f : {&PointParameters::min_size, &PointParameters::max_size}) add_points(f, 0);
     add_level(&TextureLodState::max_level, -1);
     return out;
 }
