@@ -75,6 +75,8 @@ Settings read_settings() {
 
 }  // namespace
 
+int offered_minor() { return whole_version(settings().profile, settings().version) % 10; }
+
 const Settings& settings() {
     static const Settings& read = leaked_static(read_settings());
     return read;
@@ -99,8 +101,8 @@ void report_ignored(std::string_view variable, std::string_view value, std::stri
 }
 
 void report_refused_context(int major, int minor) {
-    std::fprintf(stderr, "gw: OpenGL %d.%d is asked for; 1.1 is offered; no context is made\n",
-                 major, minor);
+    std::fprintf(stderr, "gw: OpenGL %d.%d is asked for; 1.%d is offered; no context is made\n",
+                 major, minor, offered_minor());
 }
 
 std::unique_ptr<Machine> make_machine(const Profile& profile, int width, int height) {

@@ -40,7 +40,10 @@ FrameRange read_frame_range();
 /// "gw: GW_THREADS is 'many'; expected 0 to 256; it is ignored", on stderr.
 void report_ignored(std::string_view variable, std::string_view value, std::string_view expected);
 
-/// "gw: OpenGL 3.3 is asked for; 1.1 is offered; no context is made", on stderr.
+/// N of the version 1.N that is whole on the settings' profile.
+int offered_minor();
+
+/// "gw: OpenGL 3.3 is asked for; 1.5 is offered; no context is made", on stderr.
 void report_refused_context(int major, int minor);
 
 /// A machine of the settings' kind.

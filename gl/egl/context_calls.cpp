@@ -45,7 +45,7 @@ WantedContext read_context_list(const EGLint* list) {
     return wanted;
 }
 
-/// Versions 1.2 to 1.5 get the context of 1.1: programs of screen savers ask for 1.3 and do without.
+/// Versions to 1.5, also where a profile has less: programs of screen savers ask for 1.3 and do without.
 bool is_offered(const WantedContext& wanted) {
     return wanted.major == 1 && wanted.minor >= 0 && wanted.minor <= 5 &&
            !wanted.forward_compatible;

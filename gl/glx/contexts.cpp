@@ -73,8 +73,10 @@ bool is_profile(int mask) {
            mask == GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB;
 }
 
-/// Whether the machine has such a context: versions 1.0 and 1.1.
-bool is_offered(const ContextRequest& request) { return request.major == 1 && request.minor <= 1; }
+/// Whether the machine has such a context: versions 1.0 to 1.5.
+bool is_offered(const ContextRequest& request) {
+    return request.major == 1 && request.minor <= offered_minor();
+}
 
 /// The drawable of a name in MakeCurrent; null after an error.
 std::shared_ptr<Surface> surface_of(Display* display, XID name, GLXContext context, int request) {

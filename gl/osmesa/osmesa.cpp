@@ -260,7 +260,7 @@ OSMesaContext GLAPIENTRY OSMesaCreateContextAttribs(const int* attributes,
     if (!given) return nullptr;
     auto& of = *given;
     const int major = of[OSMESA_CONTEXT_MAJOR_VERSION], minor = of[OSMESA_CONTEXT_MINOR_VERSION];
-    if (major > 1 || minor > 1 || of[OSMESA_PROFILE] != OSMESA_COMPAT_PROFILE) {
+    if (major > 1 || minor > offered_minor() || of[OSMESA_PROFILE] != OSMESA_COMPAT_PROFILE) {
         report_refused_context(major, minor);
         return nullptr;
     }

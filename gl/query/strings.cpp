@@ -96,7 +96,10 @@ const char* implementation_string(const Profile& profile, GLenum name) {
         case GL_VENDOR: return "GW";
         case GL_RENDERER:
             return keep("renderer " + profile.name, "GW " + profile.name + ", exact to the bit");
-        case GL_VERSION: return "1.1";
+        case GL_VERSION: {
+            const int version = whole_version(profile, settings().version);
+            return keep("version " + std::to_string(version), "1." + std::to_string(version % 10));
+        }
         case GL_EXTENSIONS: {
             const std::string names = extensions(profile, settings().version);
             return keep(names, names);

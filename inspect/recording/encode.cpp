@@ -1,5 +1,6 @@
 // From a recording to bytes: meshes, maps, lights and states once each, then the commands.
 #include "inspect/recording/content.h"
+#include "inspect/recording/file_draws.h"
 #include "inspect/recording/file_values.h"
 #include "inspect/recording/part.h"
 
@@ -13,35 +14,6 @@ using flatbuffers::Offset;
 
 /// Space for the builder's additions to an array: its length, alignment, tables around it.
 constexpr std::uint64_t largest_file = (std::uint64_t{1} << 31) - (1 << 20);
-
-gwt::Light to_file(const Light& l) {
-    using inspect::to_file;
-    return {to_file(l.position),
-            to_file(l.Ia),
-            to_file(l.Id),
-            to_file(l.Is),
-            to_file(l.spot_direction),
-            l.spot_exponent,
-            l.spot_cos_cutoff,
-            l.constant_attenuation,
-            l.linear_attenuation,
-            l.quadratic_attenuation};
-}
-gwt::Material to_file(const Material& m) {
-    using inspect::to_file;
-    return {to_file(m.Ka), to_file(m.Kd), to_file(m.Ks), to_file(m.Ke), m.Ns, m.alpha};
-}
-gwt::FaceMaterials to_file(const FaceMaterials& m) { return {to_file(m.front), to_file(m.back)}; }
-gwt::CurrentValues to_file(const CurrentValues& v) {
-    using inspect::to_file;
-    return {to_file(v.color), to_file(v.normal), to_file(v.texcoord)};
-}
-gwt::Span to_file(const Span& s) { return {s.x, s.y, s.length, s.first, s.flat}; }
-gwt::RasterPosition to_file(const RasterPosition& r) {
-    using inspect::to_file;
-    return {r.x, r.y, r.depth, to_file(r.color), to_file(r.texcoord), r.distance};
-}
-using inspect::to_file;
 
 /// Whether it has what version 1 has not.
 bool is_of_version_2(const Texture& t) { return t.given_levels || t.srgb; }

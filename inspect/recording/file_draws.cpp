@@ -72,4 +72,28 @@ PixelSource from_file(const gwt::PixelSource& s) {
 }
 Span from_file(const gwt::Span& s) { return {s.x(), s.y(), s.length(), s.first(), s.flat()}; }
 
+gwt::Light to_file(const Light& l) {
+    return {to_file(l.position),
+            to_file(l.Ia),
+            to_file(l.Id),
+            to_file(l.Is),
+            to_file(l.spot_direction),
+            l.spot_exponent,
+            l.spot_cos_cutoff,
+            l.constant_attenuation,
+            l.linear_attenuation,
+            l.quadratic_attenuation};
+}
+gwt::Material to_file(const Material& m) {
+    return {to_file(m.Ka), to_file(m.Kd), to_file(m.Ks), to_file(m.Ke), m.Ns, m.alpha};
+}
+gwt::FaceMaterials to_file(const FaceMaterials& m) { return {to_file(m.front), to_file(m.back)}; }
+gwt::CurrentValues to_file(const CurrentValues& v) {
+    return {to_file(v.color), to_file(v.normal), to_file(v.texcoord)};
+}
+gwt::Span to_file(const Span& s) { return {s.x, s.y, s.length, s.first, s.flat}; }
+gwt::RasterPosition to_file(const RasterPosition& r) {
+    return {r.x, r.y, r.depth, to_file(r.color), to_file(r.texcoord), r.distance};
+}
+
 }  // namespace gw::inspect

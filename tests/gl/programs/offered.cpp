@@ -1,5 +1,5 @@
 // What the doors offer under GW_GL_VERSION: offered VERSION ends with 0 if functions and extensions
-// are there from their version on, and not before.
+// are there from their version on, and not before, and if GL_VERSION is it.
 #include <GL/osmesa.h>
 
 #include <array>
@@ -53,6 +53,8 @@ int main(int, char** arguments) {
         if (has_word(extensions, c.extension) != expected)
             std::fprintf(stderr, "%s\n", c.extension), ++wrong;
     }
+    if (std::string_view(reinterpret_cast<const char*>(glGetString(GL_VERSION))) != arguments[1])
+        std::fprintf(stderr, "GL_VERSION\n"), ++wrong;
     OSMesaDestroyContext(context);
     return wrong == 0 ? 0 : 1;
 }
