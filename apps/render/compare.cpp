@@ -53,7 +53,7 @@ std::string counts_table(const itembuffer::Differences& d) {
     std::vector<std::vector<std::string>> rows{
         {"why", "pixels", "share", "mean", "largest", "reasons.png"}};
     for (const Reason reason : itembuffer::reasons) {
-        const itembuffer::ReasonCount c = count_of(d, reason);
+        const itembuffer::ReasonCount c = itembuffer::count_of(d, reason);
         rows.push_back({std::string(name_of(reason)), std::to_string(c.pixels),
                         fmt::format("{:.2f} %", 100 * double(c.pixels) / double(d.reason.size())),
                         fmt::format("{:.2f}", c.mean), std::to_string(c.largest),
@@ -70,7 +70,7 @@ std::string counts_table(const itembuffer::Differences& d) {
 std::string counts_csv(const itembuffer::Differences& d) {
     std::string text = "why,pixels,mean_units,largest_units\n";
     for (const Reason reason : itembuffer::reasons) {
-        const itembuffer::ReasonCount c = count_of(d, reason);
+        const itembuffer::ReasonCount c = itembuffer::count_of(d, reason);
         text += fmt::format("{},{},{:.4f},{}\n", name_of(reason), c.pixels, c.mean, c.largest);
     }
     return text;
