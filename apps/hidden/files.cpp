@@ -77,16 +77,6 @@ constexpr const char* kinds[] = {"", "_difference", "_writes"};
 
 }  // namespace
 
-std::string log_text(const hs::Input& input, const hs::LogSubject& subject,
-                     const std::vector<hs::Step>& steps, const std::string& end) {
-    const std::map<std::uint32_t, std::string> colors = hs::hex_colors(input);
-    const hs::PictureGrid grid = hs::grid_of(input);
-    std::string text = hs::log_header(input, subject, colors) + "\n";
-    for (std::size_t i = 0; i < steps.size(); ++i)
-        text += hs::to_json(steps[i], i + 1, grid) + "\n";
-    return text + end + "\n";
-}
-
 std::string counts_text(const std::vector<Compared>& all) {
     std::vector<std::vector<std::string>> rows{{""}};
     if (all.size() == 1) {
@@ -144,9 +134,9 @@ std::string put_steps(image::OutputSet& output, const std::filesystem::path& fol
                                  .title = run.algorithm->title,
                                  .in_world = run.algorithm->in_world,
                                  .level = run.log.finest()};
-    std::string log = log_text(input, subject, steps,
-                               hs::log_end(steps.size(), run.result.counts, hs::grid_of(input),
-                                           hs::blame_of(steps, run.result, input.view.width)));
+    std::string log = hs::log_text(input, subject, steps,
+                                   hs::log_end(steps.size(), run.result.counts, hs::grid_of(input),
+                                               hs::blame_of(steps, run.result, input.view.width)));
     output.add(folder / "steps.jsonl").write_text(log);
     if (run.result.counts.splits > 0) put_pieces(output, folder, input, run.result.pieces, colors);
     const auto last = pictures_of(input, run.result, colors);

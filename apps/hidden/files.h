@@ -25,10 +25,6 @@ std::string counts_text(const std::vector<Compared>& all);
 std::string counts_csv(const std::vector<Compared>& all);
 std::string counts_json(const std::vector<Compared>& all);
 
-/// The log as lines of JSON: header, steps, end.
-std::string log_text(const hiddensurface::Input& input, const hiddensurface::LogSubject& subject,
-                     const std::vector<hiddensurface::Step>& steps, const std::string& end);
-
 /// Writes player.html with these logs, if the build has the page.
 void put_player(image::OutputSet& output, const std::filesystem::path& folder,
                 const std::vector<std::string>& logs);

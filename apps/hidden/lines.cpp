@@ -81,7 +81,8 @@ std::string put_line_steps(image::OutputSet& output, const std::filesystem::path
                                  .title = run.algorithm->title,
                                  .lines = true,
                                  .level = run.log.finest()};
-    std::string log = log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts));
+    std::string log =
+        hs::log_text(input, subject, steps, hs::log_end(steps.size(), run.result.counts));
     output.add(folder / "steps.jsonl").write_text(log);
     image::put_picture(output.add(folder / "picture.png"), picture_of(input, run.result, false));
     image::put_picture(output.add(folder / "difference.png"), picture_of(input, run.result, true));

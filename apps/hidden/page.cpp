@@ -27,7 +27,9 @@ std::string packed(const std::string& text) {
     return out;
 }
 
-std::string base64(const std::string& bytes) {
+}  // namespace
+
+std::string base64(std::string_view bytes) {
     constexpr std::string_view digits =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;
@@ -40,8 +42,6 @@ std::string base64(const std::string& bytes) {
     }
     return out;
 }
-
-}  // namespace
 
 std::string page_with(std::string_view name, const std::vector<std::string>& texts) {
     constexpr std::string_view mark = "<!-- data -->";

@@ -1,4 +1,4 @@
-// Pages that show data in a browser, from disk: web/player, web/compare. Does not make the data.
+// Pages that show data in a browser, from disk: web/player, web/compare, web/quiz. Does not make the data.
 #pragma once
 
 #include <string>
@@ -13,5 +13,7 @@ std::string page_with(std::string_view name, const std::vector<std::string>& tex
 
 /// A page without data. Empty if the build has none. Written by CMake.
 std::string_view embedded_page(std::string_view name);
+
+std::string base64(std::string_view bytes);
 
 }  // namespace gw::apps

@@ -65,6 +65,7 @@ std::optional<Question> ask_facing(QuizRandom& random) {
     q.text.ja.pop_back();
     q.text.ja += "。番号で答えなさい。";
     q.answer = words_of(back);
+    q.among = int(context.input.polygons.size());
     q.why = {"D_f = (P_E - P_i).N is below 0 for these.",
              "これらの面では D_f = (P_E - P_i)・N が負になります。"};
     q.decided = {.algorithm = "back-face"};

@@ -16,16 +16,28 @@ namespace {
 constexpr int most_tries = 400;
 
 struct Kind {
-    const char* name;
+    std::string name;
+    Bilingual title;
     std::optional<Question> (*make)(QuizRandom&);
 };
-constexpr Kind kinds[] = {{"order", ask_order},
-                          {"test", ask_test},
-                          {"pieces", ask_pieces},
-                          {"facing", ask_facing},
-                          {"writes", ask_writes},
-                          {"spans", ask_spans},
-                          {"invisibility", ask_invisibility}};
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all{
+        {"order", {"Painting order", "描く順"}, ask_order},
+        {"test", {"Newell's tests", "Newell の判定"}, ask_test},
+        {"pieces", {"Cut polygons", "ポリゴンの分割"}, ask_pieces},
+        {"facing", {"Back faces", "裏を向いた面"}, ask_facing},
+        {"writes", {"Z-buffer", "Zバッファ"}, ask_writes},
+        {"spans", {"Scan line", "走査線"}, ask_spans},
+        {"invisibility", {"Quantitative invisibility", "不可視度"}, ask_invisibility}};
+    return all;
+}
+
+const Kind& kind_named(const std::string& name) {
+    const auto found = std::ranges::find(kinds(), name, &Kind::name);
+    if (found == kinds().end())
+        throw Error("quiz: unknown kind '" + name + "'; expected one of quiz_kinds()");
+    return *found;
+}
 
 Question make_question(const Kind& kind, std::uint32_t seed, std::uint32_t number) {
     QuizRandom random(seed, number);
@@ -44,23 +56,24 @@ Question make_question(const Kind& kind, std::uint32_t seed, std::uint32_t numbe
 const std::vector<std::string>& quiz_kinds() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> all;
-        for (const Kind& kind : kinds) all.push_back(kind.name);
+        for (const Kind& kind : kinds()) all.push_back(kind.name);
         return all;
     }();
     return names;
 }
 
+const Bilingual& title_of_kind(const std::string& kind) { return kind_named(kind).title; }
+
+Question quiz_question(std::uint32_t seed, int number, const std::string& kind) {
+    const auto place = std::size_t(number - 1) % kinds().size();
+    return make_question(kind.empty() ? kinds()[place] : kind_named(kind), seed,
+                         std::uint32_t(number));
+}
+
 std::vector<Question> make_quiz(std::uint32_t seed, int count, const std::string& kind) {
     std::vector<Question> quiz;
-    for (int i = 0; i < count; ++i) {
-        std::size_t k = std::size_t(i) % std::size(kinds);
-        if (!kind.empty())
-            k = std::size_t(std::find(quiz_kinds().begin(), quiz_kinds().end(), kind) -
-                            quiz_kinds().begin());
-        if (k >= std::size(kinds))
-            throw Error("quiz: unknown kind '" + kind + "'; expected one of quiz_kinds()");
-        quiz.push_back(make_question(kinds[k], seed, std::uint32_t(i + 1)));
-    }
+    for (int number = 1; number <= count; ++number)
+        quiz.push_back(quiz_question(seed, number, kind));
     return quiz;
 }
 

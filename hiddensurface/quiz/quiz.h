@@ -25,6 +25,7 @@ struct Question {
     std::string kind;                ///< quiz_kinds()
     Bilingual text{};                ///< the question, and the form of the answer
     std::vector<Bilingual> choices;  ///< a, b, c, ...; empty: the answer is a number or numbers
+    int among = 0;                   ///< the answer is some of the numbers 1 to this; 0: one number
     std::string answer;              ///< canonical: "b", "3", "1 4 6"
     Bilingual why{};
     DecidingStep decided{};
@@ -36,12 +37,16 @@ struct Question {
 
 /// order, test, pieces, facing, writes, spans, invisibility.
 const std::vector<std::string>& quiz_kinds();
+/// A kind's name for people: "Painting order".
+const Bilingual& title_of_kind(const std::string& kind);
 /// The window of all its pictures.
 inline constexpr int quiz_width = 320, quiz_height = 240;
 
 /// `count` questions of one kind, or if `kind` is empty, of all kinds in turn. Each depends only on
 /// the seed and its number, so a longer quiz begins like a shorter one.
 std::vector<Question> make_quiz(std::uint32_t seed, int count, const std::string& kind = "");
+/// The one with this number, 1 first.
+Question quiz_question(std::uint32_t seed, int number, const std::string& kind = "");
 
 /// An answer in the form for comparisons: small letters, words in ascending order, one blank between
 /// them ("4, 1" is "1 4").

@@ -1,6 +1,7 @@
 #include "hiddensurface/run/step_json.h"
 
 #include "hiddensurface/faces/face.h"
+#include "hiddensurface/faces/flat_colors.h"
 #include "hiddensurface/faces/world_piece.h"
 #include "hiddensurface/run/step_words.h"
 
@@ -201,6 +202,14 @@ std::string log_end(std::size_t steps, const Counts& counts, const PictureGrid& 
 }
 std::string log_end(std::size_t steps, const LineCounts& counts) {
     return end_of(steps, counts, line_count_names()).dump();
+}
+
+std::string log_text(const Input& input, const LogSubject& subject, const std::vector<Step>& steps,
+                     const std::string& end) {
+    const PictureGrid grid = grid_of(input);
+    std::string text = log_header(input, subject, hex_colors(input)) + "\n";
+    for (std::size_t i = 0; i < steps.size(); ++i) text += to_json(steps[i], i + 1, grid) + "\n";
+    return text + end + "\n";
 }
 
 }  // namespace gw::hiddensurface

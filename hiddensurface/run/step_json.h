@@ -43,4 +43,8 @@ std::string log_end(std::size_t steps, const Counts& counts, const PictureGrid& 
                     const std::vector<Blame>& blame = {});
 std::string log_end(std::size_t steps, const LineCounts& counts);
 
+/// The whole log: header, steps and this end, a line each.
+std::string log_text(const Input& input, const LogSubject& subject, const std::vector<Step>& steps,
+                     const std::string& end);
+
 }  // namespace gw::hiddensurface

@@ -28,15 +28,6 @@ void check(const hs::Estimate& estimate, const Json& options) {
         throw Error(hs::text_of(estimate) + "; expected fewer polygons, or another algorithm");
 }
 
-std::string log_text(const hs::Input& input, const hs::LogSubject& subject, const hs::StepLog& log,
-                     const std::string& end) {
-    const hs::PictureGrid grid = hs::grid_of(input);
-    std::string text = hs::log_header(input, subject, hs::hex_colors(input)) + "\n";
-    for (std::size_t i = 0; i < log.steps().size(); ++i)
-        text += hs::to_json(log.steps()[i], i + 1, grid) + "\n";
-    return text + end + "\n";
-}
-
 }  // namespace
 
 Json LabSession::about(const Json&) {
@@ -62,7 +53,8 @@ std::string LabSession::hidden(const Json& options) {
         const hs::LineResult result = hs::run_on(machine, *lines, input, log);
         const hs::LogSubject subject{
             .algorithm = name, .title = lines->title, .lines = true, .level = level};
-        return log_text(input, subject, log, hs::log_end(log.steps().size(), result.counts));
+        return hs::log_text(input, subject, log.steps(),
+                            hs::log_end(log.steps().size(), result.counts));
     }
     const hs::Algorithm& algorithm = hs::algorithm_named(name);
     check(hs::estimate(algorithm, input), options);
@@ -98,9 +90,9 @@ std::string LabSession::graded_log(Machine& machine, const hs::Algorithm& algori
                                  .title = algorithm.title,
                                  .in_world = algorithm.in_world,
                                  .level = level};
-    return log_text(input, subject, log,
-                    hs::log_end(log.steps().size(), result.counts, hs::grid_of(input),
-                                hs::blame_of(log.steps(), result, input.view.width)));
+    return hs::log_text(input, subject, log.steps(),
+                        hs::log_end(log.steps().size(), result.counts, hs::grid_of(input),
+                                    hs::blame_of(log.steps(), result, input.view.width)));
 }
 
 void LabSession::keep_difference(const hs::Result& result, int width) {

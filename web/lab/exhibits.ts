@@ -8,6 +8,8 @@ import Passes from './passes/Passes.svelte';
 import { passesState } from './passes/state';
 import Pixel from './pixel/Pixel.svelte';
 import { pixelState } from './pixel/state';
+import Exercises from './quiz/Exercises.svelte';
+import { quizState } from './quiz/state';
 import Radiosity from './radiosity/Radiosity.svelte';
 import { radiosityState } from './radiosity/state';
 import Rays from './rays/Rays.svelte';
@@ -34,6 +36,16 @@ export const exhibits: readonly Exhibit[] = [
     firstScene: 'hidden/cycle.toml',
     hasPolygons: true,
     state: ownState,
+  }),
+  row({
+    id: 'quiz',
+    component: Exercises,
+    title: (words) => words.lab_quiz,
+    keys: (words) => words.lab_keys_own,
+    firstScene: 'hidden/cycle.toml',
+    hasPolygons: true,
+    hasOwnScenes: true,
+    state: quizState,
   }),
   row({
     id: 'pixel',

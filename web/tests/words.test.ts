@@ -2,8 +2,9 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { en } from '../words/en';
 import { ja } from '../words/ja';
+import { quizWords } from '../words/quiz';
 
-const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'report']
+const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'quiz', 'report']
   .flatMap((folder) =>
     readdirSync(folder, { recursive: true, encoding: 'utf8' })
       .filter((name) => /\.(ts|svelte)$/.test(name))
@@ -19,4 +20,10 @@ it('has every word in both languages', () => {
 
 it('uses every word', () => {
   for (const name of Object.keys(en)) expect(sources.includes(`words.${name}`), name).toBe(true);
+});
+
+it('uses every word of a quiz', () => {
+  expect(Object.keys(quizWords.ja)).toEqual(Object.keys(quizWords.en));
+  for (const name of Object.keys(quizWords.en))
+    expect(new RegExp(`(quiz|words|\\])\\.${name}\\b`).test(sources), name).toBe(true);
 });

@@ -68,8 +68,7 @@ export const en = {
   compare_title: 'Algorithms compared',
   compare_hover: 'Point at a pixel to see it in all pictures; click to keep it.',
   compare_none: 'No algorithm is chosen. Tick some in the table.',
-  compare_keys:
-    'Keys: 1 to 4 planes, ← → the next algorithm in the larger view, Escape back, p projector',
+  compare_keys: 'Keys: 1 to 4 planes, ← → next algorithm if larger, Escape back, p projector',
   planes: 'Planes',
   picture: 'Picture',
   difference: 'Difference from the Z-buffer',
@@ -206,6 +205,7 @@ export const en = {
   lab_keys:
     'p: projector. Drag a picture: eye (also Alt with arrows; Alt with the wheel, PageUp or PageDown: nearer, farther). On a picture reached by Tab: arrows: pixel, Shift: by ten.',
   lab_keys_hidden: 'Keys: ← → step, Shift: decisive step, Home End, space: play, /: search.',
+  lab_quiz: 'Exercises',
   lab_keys_own: 'Keys: ← → step, Home End.',
   lab_keys_pixel: 'Keys: arrows: pixel; on a corner: corner, Shift: by a whole pixel.',
   lab_keys_passes: 'Keys: ← → pass, Home End, 1 to 4: planes; in the table PageUp, PageDown: row.',

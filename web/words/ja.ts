@@ -209,6 +209,7 @@ export const ja: Words = {
   lab_keys:
     'p：投影用。画像をドラッグ：視点（Alt と矢印でも。Alt とホイール、PageUp、PageDown で近づく、遠ざかる）。Tab で選んだ画像の上：矢印 画素、Shift で 10 ずつ。',
   lab_keys_hidden: 'キー：← → ステップ、Shift 決め手、Home End、スペース 再生、/ 検索。',
+  lab_quiz: '演習',
   lab_keys_own: 'キー：← → ステップ、Home End。',
   lab_keys_pixel: 'キー：矢印 画素。頂点の上では頂点、Shift で 1 画素ずつ。',
   lab_keys_passes: 'キー：← → パス、Home End、1〜4 プレーン。表では PageUp、PageDown で行。',

@@ -1,22 +1,23 @@
 // gw quiz: writes a handout of questions with drawings and scenes, and the answers beside
 // it; or one for each student.
-#include "hiddensurface/quiz/quiz.h"
 #include "apps/command/command.h"
 #include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/hidden/files.h"
 #include "apps/hidden/options.h"
 #include "apps/hidden/page.h"
-#include "apps/hidden/quiz/quiz_drawing.h"
+#include "apps/hidden/quiz/quiz_export.h"
+#include "apps/hidden/quiz/quiz_files.h"
 #include "apps/hidden/quiz/quiz_page.h"
 #include "apps/hidden/quiz/students.h"
-#include "hiddensurface/lines/draw_lines.h"
+#include "hiddensurface/quiz/quiz_data.h"
+#include "hiddensurface/quiz/quiz_drawing.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <set>
 
 namespace gw::apps {
 
@@ -30,38 +31,13 @@ struct QuizOptions {
     int seed = 1, questions = 7;
     std::string kind;      ///< of the questions; "": all kinds in turn
     std::string students;  ///< students_from; "": one quiz
+    QuizLanguage language = QuizLanguage::Both;
+    std::set<std::string> exports;  ///< of export_names
     Form form = Form::Text;
     bool quiet = false;
 };
 
-/// The log of the algorithm that decides the question, as a page; empty if the build has no pages.
-std::string player_of(const hs::Question& question) {
-    if (embedded_page("player.html").empty()) return "";
-    const scene::View view = scene::make_view(question.scene, hs::quiz_width, hs::quiz_height);
-    const hs::Input input = hs::make_input(question.scene, view, vgx());
-    const auto machine = make_fast(vgx(), hs::quiz_width, hs::quiz_height, {.threads = 1});
-    const hs::DecidingStep& decided = question.decided;
-    hs::StepLog log(decided.level);
-    hs::LogSubject subject{.algorithm = decided.algorithm, .title = "", .level = decided.level};
-    std::string end;
-    if (const hs::LineAlgorithm* lines = hs::line_algorithm_named(decided.algorithm)) {
-        subject.title = lines->title;
-        subject.lines = true;
-        const hs::LineResult result = hs::run_on(*machine, *lines, input, log);
-        end = hs::log_end(log.steps().size(), result.counts);
-    } else {
-        const hs::Algorithm& algorithm = hs::algorithm_named(decided.algorithm);
-        subject.title = algorithm.title;
-        subject.in_world = algorithm.in_world;
-        hs::StepLog none;
-        const auto expected = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none);
-        hs::Result result = hs::run_on(*machine, algorithm, input, log);
-        hs::compare(result, expected.ids, input);
-        end = hs::log_end(log.steps().size(), result.counts, hs::grid_of(input),
-                          hs::blame_of(log.steps(), result, input.view.width));
-    }
-    return page_with("player.html", {log_text(input, subject, log.steps(), end)});
-}
+const std::vector<std::string> export_names{"moodle", "qti"};
 
 /// The player's address of the deciding step, at the question's pixel.
 std::string link_of(const hs::Question& question, const std::string& player) {
@@ -72,44 +48,6 @@ std::string link_of(const hs::Question& question, const std::string& player) {
     return link;
 }
 
-std::string mtl_of(const scene::Scene& scene) {
-    std::string text;
-    for (const scene::Material& m : scene.materials)
-        text += fmt::format("newmtl {0}\nKa {1:.9g} {2:.9g} {3:.9g}\nKd {1:.9g} {2:.9g} {3:.9g}\n",
-                            m.name, m.Kd.x, m.Kd.y, m.Kd.z);
-    return text;
-}
-
-std::string obj_of(const scene::Scene& scene, const std::string& mtl) {
-    std::string text = "mtllib " + mtl + "\n";
-    for (const scene::Object& object : scene.objects) {
-        const auto& corners = object.mesh->data().positions;
-        text += "o " + object.name + "\nusemtl " + scene.materials[object.material].name + "\n";
-        for (const vec3& p : corners)
-            text += fmt::format("v {:.9g} {:.9g} {:.9g}\n", p.x, p.y, p.z);
-        text += "f";
-        for (std::size_t k = 0; k < corners.size(); ++k)
-            text += fmt::format(" -{}", corners.size() - k);
-        text += "\n";
-    }
-    return text;
-}
-
-std::string toml_of(const hs::Question& question, const std::string& obj) {
-    const scene::Camera& c = *question.scene.camera;
-    const vec3& b = question.scene.background;
-    std::string text = fmt::format(
-        "background = [{:.9g}, {:.9g}, {:.9g}]\n\n[camera]\neye = [{}, {}, {}]\nat = [{}, {}, "
-        "{}]\n",
-        b.x, b.y, b.z, c.eye.x, c.eye.y, c.eye.z, c.at.x, c.at.y, c.at.z);
-    text += c.ortho_height > 0 ? fmt::format("ortho = {}\n", c.ortho_height)
-                               : fmt::format("fov = {}\n", c.fov);
-    return text +
-           "\n[[light]]\ndirection = [-0.4, -0.5, -0.8]\nIa = 0.4\nId = 0.6\n\n[[object]]\nfile "
-           "= \"" +
-           obj + "\"\n";
-}
-
 /// The questions as text and as JSON, the form to fill in, and the key.
 struct Texts {
     std::string text;
@@ -118,22 +56,24 @@ struct Texts {
 
 std::string corners_text(const hs::Question& question) {
     std::string text;
-    for (const QuizCorner& c : corners_of(question))
+    for (const hs::QuizCorner& c : hs::corners_of(question))
         text += fmt::format("   {}: {:.1f} {:.1f} {:.4f}\n", c.name, c.x, c.y, c.Z);
     return text.empty() ? "" : "   Corners: x, y in pixels from the upper left, Z 0 to 1\n" + text;
 }
 
 void add_question(const hs::Question& q, std::size_t number, const std::string& picture,
-                  const std::string& scene, Texts& out) {
-    out.text += fmt::format("{}. ({}) {}\n   {}\n   Picture: {}; scene: {}\n{}", number, q.kind,
-                            q.text.en, q.text.ja, picture, scene, corners_text(q));
+                  const std::string& scene, QuizLanguage language, Texts& out) {
+    const QuizHtml words{language};
+    out.text += fmt::format("{}. ({}) ", number, q.kind);
+    if (language != QuizLanguage::Japanese) out.text += q.text.en + "\n   ";
+    if (language != QuizLanguage::English) out.text += q.text.ja + "\n   ";
+    out.text += fmt::format("Picture: {}; scene: {}\n{}", picture, scene, corners_text(q));
     Json json{{"number", number},         {"kind", q.kind},     {"question", q.text.en},
               {"question_ja", q.text.ja}, {"picture", picture}, {"scene", scene}};
     Json choices = Json::object();
     for (std::size_t i = 0; i < q.choices.size(); ++i) {
-        const auto& [en, ja] = q.choices[i];
-        out.text += fmt::format("   {}) {}{}\n", char('a' + i), en, en == ja ? "" : " / " + ja);
-        choices[std::string(1, char('a' + i))] = en;
+        out.text += fmt::format("   {}) {}\n", char('a' + i), words.plain(q.choices[i]));
+        choices[std::string(1, char('a' + i))] = q.choices[i].en;
     }
     if (!choices.empty()) json["choices"] = std::move(choices);
     out.text += "\n";
@@ -155,9 +95,10 @@ struct Folders {
 
 /// Returns the questions as text or JSON.
 std::string put_quiz(image::OutputSet& output, const Folders& folders, const QuizSheet& sheet,
-                     Form form) {
+                     const QuizOptions& options) {
     Texts all;
-    std::vector<std::string> players;
+    std::vector<std::string> players, practice{hs::quiz_json(sheet.questions)};
+    const bool has_pages = !embedded_page("quiz.html").empty();
     for (std::size_t i = 0; i < sheet.questions.size(); ++i) {
         const hs::Question& question = sheet.questions[i];
         const std::string name = fmt::format("{:02}", i + 1), picture = "picture_" + name + ".svg",
@@ -165,18 +106,25 @@ std::string put_quiz(image::OutputSet& output, const Folders& folders, const Qui
         const auto file = [&](const std::string& rest) -> image::OutputFile& {
             return output.add(folders.handout / rest);
         };
-        file(picture).write_text(drawing_of(question) + "\n");
+        const std::string spoken = QuizHtml{sheet.language}.plain(hs::drawing_in_words(question));
+        file(picture).write_text(hs::drawing_of(question, escaped_xml(spoken)) + "\n");
         file(scene + ".toml").write_text(toml_of(question, scene + ".obj"));
         file(scene + ".obj").write_text(obj_of(question.scene, scene + ".mtl"));
         file(scene + ".mtl").write_text(mtl_of(question.scene));
-        add_question(question, i + 1, picture, scene + ".toml", all);
+        add_question(question, i + 1, picture, scene + ".toml", sheet.language, all);
         players.emplace_back();
-        if (const std::string player = player_of(question); !player.empty()) {
-            const std::string page = "steps_" + name + ".html";
-            output.add(folders.answers / page).write_text(player);
-            players.back() = link_of(question, page);
-        }
+        if (!has_pages) continue;
+        const std::string page = "steps_" + name + ".html";
+        practice.push_back(hs::deciding_log(question));
+        output.add(folders.answers / page).write_text(page_with("player.html", {practice.back()}));
+        players.back() = link_of(question, page);
     }
+    if (has_pages)
+        output.add(folders.answers / "practice.html").write_text(page_with("quiz.html", practice));
+    if (options.exports.contains("moodle"))
+        output.add(folders.answers / "moodle.xml").write_text(moodle_xml(sheet));
+    if (options.exports.contains("qti"))
+        output.add(folders.answers / "qti.zip").write_text(qti_package(sheet));
     const Json head{{"seed", sheet.seed},
                     {"size", fmt::format("{}x{}", hs::quiz_width, hs::quiz_height)}};
     Json questions = head, empty{{"seed", sheet.seed}, {"answers", all.form}},
@@ -188,11 +136,12 @@ std::string put_quiz(image::OutputSet& output, const Folders& folders, const Qui
     output.add(folders.handout / "answers.json").write_text(empty.dump(2) + "\n");
     output.add(folders.answers / "answers.html").write_text(answers_page(sheet, players));
     output.add(folders.answers / "key.json").write_text(key.dump(2) + "\n");
-    return form == Form::Json ? questions.dump(2) + "\n" : all.text;
+    return options.form == Form::Json ? questions.dump(2) + "\n" : all.text;
 }
 
 QuizSheet quiz_sheet(const QuizOptions& options, const std::string& student, int seed) {
-    return {student, seed, hs::make_quiz(std::uint32_t(seed), options.questions, options.kind)};
+    return {student, seed, hs::make_quiz(std::uint32_t(seed), options.questions, options.kind),
+            options.language};
 }
 
 /// A folder and a seed for each student, and the class's list.
@@ -206,7 +155,7 @@ std::string put_class(image::OutputSet& output, const QuizOptions& options,
         const Folders folders{handout / student.folder, answers / student.folder};
         output.make_folder(folders.handout);
         output.make_folder(folders.answers);
-        put_quiz(output, folders, quiz_sheet(options, student.name, student.seed), Form::Text);
+        put_quiz(output, folders, quiz_sheet(options, student.name, student.seed), options);
         list += fmt::format("\"{}\",{},{}\n", student.name, student.seed, student.folder);
         text += fmt::format("{}: seed {}\n", student.folder, student.seed);
         output.commit();
@@ -225,7 +174,7 @@ int quiz(const QuizOptions& options, const Session& session) {
     Progress progress("making questions", options.quiet);
     const std::string text = options.students.empty()
                                  ? put_quiz(output, {handout, options.folder},
-                                            quiz_sheet(options, "", options.seed), options.form)
+                                            quiz_sheet(options, "", options.seed), options)
                                  : put_class(output, options, students, progress);
     if (options.students.empty()) put_index(output, options.folder, session);
     output.commit();
@@ -273,6 +222,26 @@ Command add_quiz(CLI::App& app) {
             },
             "Questions of one kind (default: all kinds in turn)")
         ->type_name("NAME");
+    command
+        ->add_option_function<std::string>(
+            "--language",
+            [options](const std::string& word) {
+                options->language = one_of("--language", word, {"en", "ja"}) == "en"
+                                        ? QuizLanguage::English
+                                        : QuizLanguage::Japanese;
+            },
+            "The language of the pages and exports: en or ja (default: both)")
+        ->type_name("NAME");
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--export",
+            [options](const std::vector<std::string>& words) {
+                for (const std::string& word : words)
+                    options->exports.insert(one_of("--export", word, export_names));
+            },
+            "For a learning platform: moodle (DIR/moodle.xml) or qti (DIR/qti.zip). Can be repeated")
+        ->type_name("NAME")
+        ->allow_extra_args(false);
     add_form_options(*command, options->form, false);
     command->add_flag("--quiet", options->quiet, "No progress");
     command->footer("Example:\n  build/release/bin/gw quiz quiz --seed 7");

@@ -1,6 +1,6 @@
 #include "apps/hidden/quiz/quiz_page.h"
 
-#include "apps/hidden/quiz/quiz_drawing.h"
+#include "hiddensurface/quiz/quiz_drawing.h"
 
 #include <fmt/format.h>
 
@@ -36,111 +36,65 @@ ol { list-style: lower-alpha; margin: 0 0 2mm; padding-left: 6mm }
 @media (max-width: 640px) { .both { grid-template-columns: 1fr } svg { width: 100% } }
 )";
 
-/// A kind's name for people.
-hs::Bilingual title_of(const std::string& kind) {
-    if (kind == "order") return {"Painting order", "描く順"};
-    if (kind == "test") return {"Newell's tests", "Newell の判定"};
-    if (kind == "pieces") return {"Cut polygons", "ポリゴンの分割"};
-    if (kind == "facing") return {"Back faces", "裏を向いた面"};
-    if (kind == "writes") return {"Z-buffer", "Zバッファ"};
-    if (kind == "spans") return {"Scan line", "走査線"};
-    return {"Quantitative invisibility", "不可視度"};
-}
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
-std::string paragraphs(const hs::Bilingual& text) {
-    return fmt::format("<p lang=\"en\">{}</p>\n<p lang=\"ja\">{}</p>\n", escaped(text.en),
-                       escaped(text.ja));
-}
-
-std::string choices_of(const hs::Question& question) {
+std::string choices_of(const hs::Question& question, const QuizHtml& html) {
     if (question.choices.empty()) return "";
-    std::string html = "<ol>\n";
+    std::string list = "<ol>\n";
     for (const hs::Bilingual& choice : question.choices)
-        html += choice.en == choice.ja
-                    ? fmt::format("<li>{}</li>\n", escaped(choice.en))
-                    : fmt::format(
-                          "<li><span lang=\"en\">{}</span><br><span lang=\"ja\">{}</span></li>\n",
-                          escaped(choice.en), escaped(choice.ja));
-    return html + "</ol>\n";
+        list += "<li>" + html.lines(choice) + "</li>\n";
+    return list + "</ol>\n";
 }
 
-std::string corner_table(const hs::Question& question) {
-    const auto corners = corners_of(question);
-    if (corners.empty()) return "";
-    std::string html = "<table><tr><th></th><th>x</th><th>y</th><th>Z</th></tr>\n";
-    for (const QuizCorner& corner : corners)
-        html += fmt::format("<tr><th>{}</th><td>{:.1f}</td><td>{:.1f}</td><td>{:.4f}</td></tr>\n",
-                            corner.name, corner.x, corner.y, corner.Z);
-    return html +
-           "</table>\n<p><small><span lang=\"en\">Pixels from the upper left; Z: 0 nearest, 1 "
-           "farthest.</span> <span lang=\"ja\">左上からの画素。Z は 0 が最も近く、1 "
-           "が最も遠い。</span></small></p>\n";
-}
-
-std::string question_of(const hs::Question& question, std::size_t number, const std::string& end) {
-    const hs::Bilingual title = title_of(question.kind);
+std::string article_of(const hs::Question& question, std::size_t number, const QuizHtml& html,
+                       const std::string& end) {
+    const std::string spoken = escaped_xml(html.plain(hs::drawing_in_words(question)));
     return fmt::format(
-        "<article>\n<h2>{}. <span lang=\"en\">{}</span> / <span lang=\"ja\">{}</span></h2>\n"
+        "<article>\n<h2>{}. {}</h2>\n"
         "{}<div class=\"both\">{}<div>{}{}{}</div></div>\n</article>\n",
-        number, title.en, title.ja, paragraphs(question.text), drawing_of(question),
-        choices_of(question), corner_table(question), end);
+        number, html.spans(hs::title_of_kind(question.kind)), html.paragraphs(question.text),
+        hs::drawing_of(question, spoken), choices_of(question, html), html.corner_table(question),
+        end);
 }
 
-std::string page_of(const QuizSheet& sheet, const std::string& title, const std::string& name,
+std::string page_of(const QuizSheet& sheet, const hs::Bilingual& title, const std::string& name,
                     const std::string& body) {
     return fmt::format(
-        "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+        "<!doctype html>\n<html lang=\"{5}\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
         "<style>{1}</style>\n<header>\n<h1>{0}</h1>\n<p>{2} &nbsp; "
-        "<small>seed {3}</small></p>\n</header>\n{4}</html>\n",
-        title, style, name, sheet.seed, body);
+        "<small>seed {3}</small></p>\n</header>\n<main>\n{4}</main>\n</html>\n",
+        QuizHtml{sheet.language}.plain(title), style, name, sheet.seed, body,
+        sheet.language == QuizLanguage::Japanese ? "ja" : "en");
 }
 
 }  // namespace
 
 std::string handout_page(const QuizSheet& sheet) {
+    const QuizHtml html{sheet.language};
     std::string body;
     for (std::size_t i = 0; i < sheet.questions.size(); ++i)
-        body += question_of(sheet.questions[i], i + 1,
-                            "<p class=\"answer\"><span lang=\"en\">Answer</span> / <span "
-                            "lang=\"ja\">解答</span>:</p>");
+        body += article_of(sheet.questions[i], i + 1, html,
+                           "<p class=\"answer\">" + html.spans({"Answer", "解答"}) + ":</p>");
     const std::string name =
-        "Name / 氏名: " + (sheet.student.empty() ? "____________________" : escaped(sheet.student));
-    return page_of(sheet, "Hidden surfaces: questions / 隠面消去の問題", name, body);
+        html.plain({"Name", "氏名"}) + ": " +
+        (sheet.student.empty() ? "____________________" : escaped_xml(sheet.student));
+    return page_of(sheet, {"Hidden surfaces: questions", "隠面消去の問題"}, name, body);
 }
 
 std::string answers_page(const QuizSheet& sheet, const std::vector<std::string>& players) {
+    const QuizHtml html{sheet.language};
     std::string body;
     for (std::size_t i = 0; i < sheet.questions.size(); ++i) {
         const hs::Question& question = sheet.questions[i];
         std::string end = fmt::format("<div class=\"answer\"><p class=\"given\">{}</p>\n{}",
-                                      escaped(question.answer), paragraphs(question.why));
+                                      escaped_xml(question.answer), html.paragraphs(question.why));
         if (!players[i].empty())
-            end += fmt::format(
-                "<p><a href=\"{}\"><span lang=\"en\">The step that decides</span> / <span "
-                "lang=\"ja\">判断が決まるステップ</span></a>: {}, {}</p>",
-                escaped(players[i]), question.decided.algorithm, question.decided.step);
-        body += question_of(question, i + 1, end + "</div>");
+            end += fmt::format("<p><a href=\"{}\">{}</a>: {}, {}</p>", escaped_xml(players[i]),
+                               html.spans({"The step that decides", "判断が決まるステップ"}),
+                               question.decided.algorithm, question.decided.step);
+        body += article_of(question, i + 1, html, end + "</div>");
     }
-    return page_of(sheet, "Hidden surfaces: answers / 隠面消去の解答", escaped(sheet.student),
-                   body);
+    return page_of(sheet, {"Hidden surfaces: answers", "隠面消去の解答"},
+                   escaped_xml(sheet.student), body);
 }
 
 }  // namespace gw::apps

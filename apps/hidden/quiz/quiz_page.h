@@ -1,8 +1,8 @@
-// A quiz as a page to print: questions with drawings in English and Japanese; or their answers, with
-// links to the steps that decide them. Does not make questions or write files.
+// A quiz as a page to print: questions with drawings; or their answers, with links to the steps that
+// decide them. Does not make questions or write files.
 #pragma once
 
-#include "hiddensurface/quiz/quiz.h"
+#include "apps/hidden/quiz/quiz_html.h"
 
 #include <string>
 #include <vector>
@@ -13,6 +13,7 @@ struct QuizSheet {
     std::string student;  ///< empty: a line to write the name on
     int seed = 1;
     std::vector<hiddensurface::Question> questions;
+    QuizLanguage language = QuizLanguage::Both;
 };
 
 /// The handout, without answers. HTML without scripts.

@@ -15,6 +15,7 @@ TEST_F(QuizFiles, MakesAQuizThatGradesItself) {
     std::vector<std::string> expected{"answers.html", "handout", "index.html", "index.json",
                                       "key.json"};
     const bool has_pages = !embedded_page("player.html").empty();
+    if (has_pages) expected.push_back("practice.html");
     for (int i = 1; has_pages && i <= 7; ++i)
         expected.push_back("steps_0" + std::to_string(i) + ".html");
     EXPECT_EQ(names("q"), expected);
@@ -79,6 +80,21 @@ TEST_F(QuizFiles, QuizIsAPageToPrint) {
     const auto key = nlohmann::json::parse(bytes_of(in("q/key.json")));
     for (const auto& a : key["answers"])
         EXPECT_EQ(handout.find(a["why"].get<std::string>()), handout.npos);
+    // In one language nothing of the other is on the pages.
+    ASSERT_EQ(gw({"quiz", "ja", "--seed", "3", "--questions", "7", "--language", "ja"}).code, 0);
+    ASSERT_EQ(gw({"quiz", "en", "--seed", "3", "--questions", "7", "--language", "en"}).code, 0);
+    for (const std::string page : {"handout/quiz.html", "handout/questions.txt", "answers.html"}) {
+        const std::string japanese = bytes_of(in("ja/" + page)),
+                          english = bytes_of(in("en/" + page));
+        EXPECT_EQ(japanese.find("lang=\"en\""), japanese.npos) << page;
+        EXPECT_EQ(japanese.find("Answer with"), japanese.npos) << page;
+        EXPECT_EQ(english.find("\xE3\x80\x82"), english.npos) << page;  // the Japanese full stop
+    }
+    expect_refused(2, {"quiz", "p", "--language", "de"}, {"--language 'de'", "en, ja"});
+    expect_refused(2, {"quiz", "p", "--export", "qtx"}, {"--export 'qtx'", "moodle"});
+    EXPECT_FALSE(std::filesystem::exists(in("p")));
+    // Drawings say in words what they show.
+    EXPECT_EQ(count(handout, "aria-label=\"A drawing of "), 14);
     // Hidden sides are broken lines where surfaces are shown.
     EXPECT_GE(count(handout, "class=\"hidden\""), 14);
 }

@@ -36,5 +36,7 @@ export interface Exhibit<Choices = unknown> {
   readonly firstScene: string;
   /** Whether it shows polygons by name and colour. */
   readonly hasPolygons?: boolean;
+  /** Whether it shows other scenes than the one that the page has opened. */
+  readonly hasOwnScenes?: boolean;
   readonly state: ExhibitState<Choices>;
 }

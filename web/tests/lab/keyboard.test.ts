@@ -30,6 +30,8 @@ async function tabTo(selector: string): Promise<void> {
   throw new Error(`Tab does not reach ${selector}`);
 }
 
+const picture = 'canvas, .question img';
+
 it('enters every exhibit, and its link opens it again', async () => {
   await open('#lang=en&size=64x48');
   await thePage().waitForSelector('canvas');
@@ -41,11 +43,11 @@ it('enters every exhibit, and its link opens it again', async () => {
     await tabTo(`nav > button:nth-of-type(${place})`);
     await keys('Enter');
     if (place > 1) await thePage().waitForFunction((old) => location.hash !== old, {}, before);
-    await thePage().waitForSelector('canvas');
+    await thePage().waitForSelector(picture);
     const exhibit = await part('exhibit');
     seen.add(exhibit);
     await open(await hash());
-    await thePage().waitForSelector('canvas');
+    await thePage().waitForSelector(picture);
     expect(await part('exhibit')).toBe(exhibit);
   }
   expect(seen.size).toBe(tabs);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace gw::apps {
+namespace gw::hiddensurface {
 
 /// A polygon's corner in the window: pixels from the upper left corner, and Z, 0 nearest to 1
 /// farthest.
@@ -16,11 +16,14 @@ struct QuizCorner {
     double x = 0, y = 0, Z = 0;
 };
 /// The corners that the question needs; empty: none.
-std::vector<QuizCorner> corners_of(const hiddensurface::Question& question);
+std::vector<QuizCorner> corners_of(const Question& question);
 
 /// SVG 1.1, quiz_width x quiz_height units. Visible surfaces in flat colours with their numbers,
 /// visible sides in full lines, hidden ones broken, corners named if the question needs them, its
-/// point and scan line marked. A question about back faces shows sides only.
-std::string drawing_of(const hiddensurface::Question& question);
+/// point and scan line marked. A question about back faces shows sides only. `spoken`: what it says
+/// to those who cannot see it, in XML's letters.
+std::string drawing_of(const Question& question, const std::string& spoken);
+/// For `spoken`: how many polygons there are, and where the marked pixel or scan line is.
+Bilingual drawing_in_words(const Question& question);
 
-}  // namespace gw::apps
+}  // namespace gw::hiddensurface

@@ -1,19 +1,19 @@
-#include "apps/hidden/quiz/quiz_drawing.h"
+#include "hiddensurface/quiz/quiz_drawing.h"
 
-#include "apps/hidden/pictures.h"
 #include "gw/base/elementary.h"
 #include "gw/machine.h"
+#include "hiddensurface/faces/flat_colors.h"
 #include "hiddensurface/lines/window_lines.h"
+#include "hiddensurface/run/compare.h"
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-namespace gw::apps {
-
-namespace hs = hiddensurface;
+namespace gw::hiddensurface {
 
 namespace {
 
@@ -21,35 +21,35 @@ constexpr const char* marked_color = "#c2007a";
 
 /// A question's scene as the machine draws it.
 struct DrawnQuestion {
-    explicit DrawnQuestion(const hs::Question& question)
-        : view(scene::make_view(question.scene, hs::quiz_width, hs::quiz_height)),
-          input(hs::make_input(question.scene, view, vgx())) {
-        const auto machine = make_fast(vgx(), hs::quiz_width, hs::quiz_height, {.threads = 1});
-        hs::StepLog none;
-        ids = hs::run_on(*machine, hs::algorithm_named("z-buffer"), input, none).ids;
+    explicit DrawnQuestion(const Question& question)
+        : view(scene::make_view(question.scene, quiz_width, quiz_height)),
+          input(make_input(question.scene, view, vgx())) {
+        const auto machine = make_fast(vgx(), quiz_width, quiz_height, {.threads = 1});
+        StepLog none;
+        ids = run_on(*machine, algorithm_named("z-buffer"), input, none).ids;
     }
     DrawnQuestion(const DrawnQuestion&) = delete;
     double unit() const { return double(1 << input.subpixel_bits()); }
 
     scene::View view;
-    hs::Input input;
+    Input input;
     std::vector<std::uint32_t> ids;
 };
 
 /// Each identifier's pixels as one path of rectangles, row by row.
 std::string surfaces(const DrawnQuestion& drawn) {
     std::map<std::uint32_t, std::string> paths;
-    for (int y = 0; y < hs::quiz_height; ++y)
-        for (int x = 0; x < hs::quiz_width;) {
+    for (int y = 0; y < quiz_height; ++y)
+        for (int x = 0; x < quiz_width;) {
             const std::uint32_t id = drawn.ids[drawn.view.index(x, y)];
             int end = x;
-            while (end < hs::quiz_width && drawn.ids[drawn.view.index(end, y)] == id) ++end;
+            while (end < quiz_width && drawn.ids[drawn.view.index(end, y)] == id) ++end;
             if (id != 0)
                 paths[id] +=
-                    fmt::format("M{} {}h{}v1h-{}z", x, hs::quiz_height - 1 - y, end - x, end - x);
+                    fmt::format("M{} {}h{}v1h-{}z", x, quiz_height - 1 - y, end - x, end - x);
             x = end;
         }
-    const auto colors = hs::hex_colors(drawn.input);
+    const auto colors = hex_colors(drawn.input);
     std::string svg = "<g shape-rendering=\"crispEdges\">";
     for (const auto& [id, path] : paths)
         svg +=
@@ -59,29 +59,28 @@ std::string surfaces(const DrawnQuestion& drawn) {
 
 /// Every polygon's sides by the faces before them, exactly; `hides`: whether hidden parts are broken.
 std::string sides(const DrawnQuestion& drawn, bool hides) {
-    const hs::WindowLines lines = hs::window_lines(drawn.input);
+    const WindowLines lines = window_lines(drawn.input);
     std::string seen, hidden;
-    const auto add = [&](std::string& to, const hs::GridPoint& a, const hs::GridPoint& b,
-                         const hs::Part& part) {
+    const auto add = [&](std::string& to, const GridPoint& a, const GridPoint& b,
+                         const Part& part) {
         const auto at = [&](double t) {
             const double x = double(a.x) + t * double(b.x - a.x),
                          y = double(a.y) + t * double(b.y - a.y);
-            return fmt::format("{:.2f} {:.2f}", x / drawn.unit(),
-                               hs::quiz_height - y / drawn.unit());
+            return fmt::format("{:.2f} {:.2f}", x / drawn.unit(), quiz_height - y / drawn.unit());
         };
         to += "M" + at(part.first) + "L" + at(part.second);
     };
-    for (const hs::WindowSide& side : lines.sides) {
+    for (const WindowSide& side : lines.sides) {
         if (!side.drawn) continue;
-        const hs::GridPoint &a = lines.corners[side.a], &b = lines.corners[side.b];
-        std::vector<hs::Part> covered;
+        const GridPoint &a = lines.corners[side.a], &b = lines.corners[side.b];
+        std::vector<Part> covered;
         if (hides)
-            for (const hs::WindowFace& face : lines.faces)
-                if (const auto part = hs::hidden_part(lines, face, a, b)) covered.push_back(*part);
-        const auto visible = hs::rest_of(covered);
-        std::vector<hs::Part> others = visible;
-        for (const hs::Part& part : visible) add(seen, a, b, part);
-        for (const hs::Part& part : hs::rest_of(others)) add(hidden, a, b, part);
+            for (const WindowFace& face : lines.faces)
+                if (const auto part = hidden_part(lines, face, a, b)) covered.push_back(*part);
+        const auto visible = rest_of(covered);
+        std::vector<Part> others = visible;
+        for (const Part& part : visible) add(seen, a, b, part);
+        for (const Part& part : rest_of(others)) add(hidden, a, b, part);
     }
     return fmt::format(
         "<path class=\"hidden\" fill=\"none\" stroke=\"#333\" stroke-width=\"0.7\" "
@@ -102,9 +101,9 @@ std::string text_at(double x, double y, double size, const std::string& text,
 
 /// The distance of each pixel, along its row and column, to another polygon's pixel, the border or
 /// the question's mark.
-std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const hs::Question& question) {
+std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const Question& question) {
     constexpr int beside_a_mark = 10;
-    std::vector<int> clearance(ids.size(), hs::quiz_width);
+    std::vector<int> clearance(ids.size(), quiz_width);
     const auto is_marked = [&](int x, int y) {
         return (question.row && std::abs(y - *question.row) < beside_a_mark) ||
                (question.point &&
@@ -117,9 +116,9 @@ std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const hs::Q
         for (int k = 0; k < int(ids.size()); ++k) {
             // The neighbour at `behind` comes first.
             const int i = dx + dy > 0 ? k : int(ids.size()) - 1 - k;
-            const int x = i % hs::quiz_width - dx, y = i / hs::quiz_width - dy;
-            const bool inside = x >= 0 && y >= 0 && x < hs::quiz_width && y < hs::quiz_height;
-            const auto at = std::size_t(i), behind = std::size_t(y * hs::quiz_width + x);
+            const int x = i % quiz_width - dx, y = i / quiz_width - dy;
+            const bool inside = x >= 0 && y >= 0 && x < quiz_width && y < quiz_height;
+            const auto at = std::size_t(i), behind = std::size_t(y * quiz_width + x);
             if (inside && ids[behind] == ids[at] && !is_marked(x, y)) reach[at] = reach[behind] + 1;
             clearance[at] = std::min(clearance[at], reach[at]);
         }
@@ -128,7 +127,7 @@ std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const hs::Q
 }
 
 /// Each polygon's number at its visible pixel with the largest clearance.
-std::string numbers(const DrawnQuestion& drawn, const hs::Question& question) {
+std::string numbers(const DrawnQuestion& drawn, const Question& question) {
     const std::vector<int> clearance = clearance_of(drawn.ids, question);
     std::map<std::uint32_t, std::size_t> widest;
     for (std::size_t i = 0; i < drawn.ids.size(); ++i) {
@@ -138,8 +137,8 @@ std::string numbers(const DrawnQuestion& drawn, const hs::Question& question) {
     widest.erase(0);
     std::string svg;
     for (const auto& [id, i] : widest)
-        svg += text_at(double(i % hs::quiz_width) + 0.5,
-                       hs::quiz_height - double(i / hs::quiz_width) + 4.5, 15, std::to_string(id));
+        svg += text_at(double(i % quiz_width) + 0.5, quiz_height - double(i / quiz_width) + 4.5, 15,
+                       std::to_string(id));
     return svg;
 }
 
@@ -150,8 +149,8 @@ dvec2 free_place(const dvec2& corner, const dvec2& outwards, const std::vector<d
     dvec2 place(0);
     for (int i = 0; i < 16; ++i) {
         const double angle = first + step * (i % 2 == 0 ? i / 2 : -(i + 1) / 2);
-        place = {std::clamp(corner.x + reach * gw::cos(angle), 8.0, hs::quiz_width - 8.0),
-                 std::clamp(corner.y + reach * gw::sin(angle) + 3, 9.0, hs::quiz_height - 3.0)};
+        place = {std::clamp(corner.x + reach * gw::cos(angle), 8.0, quiz_width - 8.0),
+                 std::clamp(corner.y + reach * gw::sin(angle) + 3, 9.0, quiz_height - 3.0)};
         const bool is_free = std::ranges::none_of(taken, [&](const dvec2& other) {
             return std::abs(other.x - place.x) < 12 && std::abs(other.y - place.y) < 9;
         });
@@ -179,13 +178,13 @@ std::string names_of(const std::vector<QuizCorner>& corners) {
     return svg;
 }
 
-std::string marks(const hs::Question& question) {
+std::string marks(const Question& question) {
     std::string svg;
     if (question.row)
         svg += fmt::format("<path stroke=\"{}\" stroke-width=\"1.2\" d=\"M0 {:.1f}H{}\"/>",
-                           marked_color, hs::quiz_height - *question.row - 0.5, hs::quiz_width);
+                           marked_color, quiz_height - *question.row - 0.5, quiz_width);
     if (question.point) {
-        const double x = question.point->x, y = hs::quiz_height - question.point->y;
+        const double x = question.point->x, y = quiz_height - question.point->y;
         svg += fmt::format(
             "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"5\" fill=\"none\" stroke=\"#fff\" "
             "stroke-width=\"4\"/>"
@@ -198,31 +197,49 @@ std::string marks(const hs::Question& question) {
 
 }  // namespace
 
-std::vector<QuizCorner> corners_of(const hs::Question& question) {
+std::vector<QuizCorner> corners_of(const Question& question) {
     std::vector<QuizCorner> corners;
     if (!question.needs_corners) return corners;
-    const scene::View view = scene::make_view(question.scene, hs::quiz_width, hs::quiz_height);
-    const hs::Input input = hs::make_input(question.scene, view, vgx());
+    const scene::View view = scene::make_view(question.scene, quiz_width, quiz_height);
+    const Input input = make_input(question.scene, view, vgx());
     const double unit = double(1 << input.subpixel_bits());
     const double farthest = double((std::int64_t{1} << input.profile.depth_bits) - 1);
-    for (const hs::Polygon& polygon : input.polygons) {
+    for (const Polygon& polygon : input.polygons) {
         char letter = 'a';
-        for (const hs::Facet& facet : polygon.facets)
-            for (const hs::Loop& loop : facet.parts)
+        for (const Facet& facet : polygon.facets)
+            for (const Loop& loop : facet.parts)
                 for (const dvec3& p : loop)
                     corners.push_back({polygon.id, fmt::format("{}{}", polygon.id, letter++),
-                                       p.x / unit, hs::quiz_height - p.y / unit, p.z / farthest});
+                                       p.x / unit, quiz_height - p.y / unit, p.z / farthest});
     }
     return corners;
 }
 
-std::string drawing_of(const hs::Question& question) {
+Bilingual drawing_in_words(const Question& question) {
+    const std::size_t count = question.scene.objects.size();
+    Bilingual words{fmt::format("A drawing of {} polygons.", count),
+                    fmt::format("ポリゴン {} 枚の図。", count)};
+    if (question.point) {
+        const double x = question.point->x, y = quiz_height - question.point->y;
+        words.en += fmt::format(" The mark is at x {:.1f}, y {:.1f}.", x, y);
+        words.ja += fmt::format("印は x {:.1f}、y {:.1f} にあります。", x, y);
+    }
+    if (question.row) {
+        const int y = quiz_height - 1 - *question.row;
+        words.en += fmt::format(" The marked scan line is {}.", y);
+        words.ja += fmt::format("印の走査線は {} です。", y);
+    }
+    return words;
+}
+
+std::string drawing_of(const Question& question, const std::string& spoken) {
     const DrawnQuestion drawn(question);
     const bool only_sides = question.kind == "facing";
     std::string svg = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\">"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" role=\"img\" "
+        "aria-label=\"{2}\">"
         "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\" stroke=\"#999\"/>",
-        hs::quiz_width, hs::quiz_height);
+        quiz_width, quiz_height, spoken);
     if (!only_sides) svg += surfaces(drawn);
     svg += sides(drawn, !only_sides);
     if (!only_sides) svg += numbers(drawn, question);
@@ -230,4 +247,4 @@ std::string drawing_of(const hs::Question& question) {
     return svg + marks(question) + "</svg>";
 }
 
-}  // namespace gw::apps
+}  // namespace gw::hiddensurface
