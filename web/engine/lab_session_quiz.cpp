@@ -23,7 +23,7 @@ std::string quiz_steps(LabSession&, const Json& options) {
     return hs::deciding_log(asked_question(options));
 }
 
-const Method methods[] = {{"quiz", quiz}, {"quiz_steps", quiz_steps}};
+const Method quiz_methods[] = {{"quiz", quiz}, {"quiz_steps", quiz_steps}};
 
 }  // namespace
 

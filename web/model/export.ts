@@ -7,6 +7,9 @@ export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string
   const svg = overlay.cloneNode(true) as SVGSVGElement;
   const box = overlay.getBoundingClientRect();
   const [, , width = '0', height = '0'] = (svg.getAttribute('viewBox') ?? '').split(' ');
+  svg.removeAttribute('aria-hidden'); // in the page its canvas speaks
+  svg.setAttribute('role', 'img');
+  svg.setAttribute('aria-label', canvas.getAttribute('aria-label') ?? '');
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   svg.setAttribute('width', String(Math.round(box.width)));
   svg.setAttribute('height', String(Math.round(box.height)));

@@ -1,0 +1,26 @@
+// What keeps people from using a page, by axe-core: the rules of WCAG 2.2 A and AA and its best
+// practice.
+import { source } from 'axe-core';
+import type { Page } from 'puppeteer-core';
+
+interface Axe {
+  run(options: object): Promise<{
+    violations: { id: string; nodes: { target: unknown[]; failureSummary?: string }[] }[];
+  }>;
+}
+
+/** The rule that is broken, and where. */
+export async function barriersOf(page: Page): Promise<string[]> {
+  await page.evaluate(source);
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as { axe: Axe };
+    const { violations } = await axe.run({
+      resultTypes: ['violations'],
+      // Letters that a picture shows are not the name of the button that it is.
+      rules: { 'label-content-name-mismatch': { enabled: false } },
+    });
+    return violations.flatMap(({ id, nodes }) =>
+      nodes.map(({ target, failureSummary }) => `${id}: ${String(target)}: ${failureSummary}`),
+    );
+  });
+}
