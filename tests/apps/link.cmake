@@ -1,2 +1,2 @@
 # Pictures that the command writes are judged by OpenImageIO itself.
-set(link gw::judge)
+set(link gw_judge_loader)
