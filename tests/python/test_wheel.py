@@ -18,7 +18,7 @@ OSMESA = PACKAGE.parent.parent / "lib/opengl/libOSMesa.so.8"
 def run(unpacked, *words):
     environment = {name: value for name, value in os.environ.items() if not name.startswith("LD_")}
     environment["PYTHONPATH"] = str(unpacked)
-    return subprocess.run([sys.executable, *words], env=environment, check=True,
+    return subprocess.run([sys.executable, *words], cwd=unpacked, env=environment, check=True,
                           capture_output=True, text=True)
 
 

@@ -14,6 +14,7 @@ protected:
     ExampleTest() {
         namespace fs = std::filesystem;
         fs::create_directory_symlink(GW_SOURCE_DIR "/scenes", in("scenes"));
+        fs::create_directory_symlink(GW_SOURCE_DIR "/examples", in("examples"));
         fs::create_directories(in("tests"));
         fs::create_directory_symlink(GW_SOURCE_DIR "/tests/golden", in("tests/golden"));
         fs::create_directories(in("build/release"));

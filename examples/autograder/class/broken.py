@@ -1,0 +1,2 @@
+"""Draws a polygon that no scene has."""
+print('{"kind": "draw", "pieces": ["999"]}')
