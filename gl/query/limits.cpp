@@ -46,11 +46,13 @@ void add_limits(StateVariables& t) {
     t[GL_MAX_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(attribute_stack_depth); };
     t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
     t[GL_SUBPIXEL_BITS] = [](Context& context) { return whole(context.profile.subpixel_bits); };
-    t[GL_POINT_SIZE_RANGE] = [](Context&) { return numbers_of(1, 128); };
+    for (const GLenum range : {GL_POINT_SIZE_RANGE, GL_ALIASED_POINT_SIZE_RANGE})
+        t[range] = [](Context&) { return numbers_of(1, 128); };
     t[GL_POINT_SIZE_GRANULARITY] = [](Context& context) {
         return number(size_step(context.profile));
     };
-    t[GL_LINE_WIDTH_RANGE] = [](Context&) { return numbers_of(1, 128); };
+    for (const GLenum range : {GL_LINE_WIDTH_RANGE, GL_ALIASED_LINE_WIDTH_RANGE})
+        t[range] = [](Context&) { return numbers_of(1, 128); };
     t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
         return number(size_step(context.profile));
     };

@@ -14,7 +14,7 @@
 namespace gw::judge {
 
 /// How a file, or a caller, stores one sample of a pixel.
-enum class Sample { U8, U16, U32, Half, Float };
+enum class Sample { U8, U16, U32, Half, Float, Other };
 
 struct Spec {
     int width = 0, height = 0, channels = 0;

@@ -248,6 +248,86 @@ TEST(Queries, ConvertToTheTypeThatIsAskedFor) {
     EXPECT_EQ(mode, GLfloat(GL_MODELVIEW));
 }
 
+TEST(Queries, KnowEveryNumberThatVersions12To15Added) {
+    const Window window;
+    for (const GLenum name : {
+             // 1.2
+             GL_ALIASED_POINT_SIZE_RANGE,
+             GL_ALIASED_LINE_WIDTH_RANGE,
+             GL_MAX_ELEMENTS_VERTICES,
+             GL_MAX_ELEMENTS_INDICES,
+             GL_LIGHT_MODEL_COLOR_CONTROL,
+             GL_RESCALE_NORMAL,
+             GL_PACK_SKIP_IMAGES,
+             GL_PACK_IMAGE_HEIGHT,
+             GL_UNPACK_SKIP_IMAGES,
+             GL_UNPACK_IMAGE_HEIGHT,
+             GL_TEXTURE_3D,
+             GL_MAX_3D_TEXTURE_SIZE,
+             GL_TEXTURE_BINDING_3D,
+             // 1.3
+             GL_ACTIVE_TEXTURE,
+             GL_CLIENT_ACTIVE_TEXTURE,
+             GL_MAX_TEXTURE_UNITS,
+             GL_TRANSPOSE_MODELVIEW_MATRIX,
+             GL_TRANSPOSE_PROJECTION_MATRIX,
+             GL_TRANSPOSE_TEXTURE_MATRIX,
+             GL_MULTISAMPLE,
+             GL_SAMPLE_ALPHA_TO_COVERAGE,
+             GL_SAMPLE_ALPHA_TO_ONE,
+             GL_SAMPLE_COVERAGE,
+             GL_SAMPLE_BUFFERS,
+             GL_SAMPLES,
+             GL_SAMPLE_COVERAGE_VALUE,
+             GL_SAMPLE_COVERAGE_INVERT,
+             GL_TEXTURE_CUBE_MAP,
+             GL_TEXTURE_BINDING_CUBE_MAP,
+             GL_MAX_CUBE_MAP_TEXTURE_SIZE,
+             GL_TEXTURE_COMPRESSION_HINT,
+             GL_NUM_COMPRESSED_TEXTURE_FORMATS,
+             GL_COMPRESSED_TEXTURE_FORMATS,
+             // 1.4
+             GL_BLEND_DST_RGB,
+             GL_BLEND_SRC_RGB,
+             GL_BLEND_DST_ALPHA,
+             GL_BLEND_SRC_ALPHA,
+             GL_BLEND_EQUATION,
+             GL_BLEND_COLOR,
+             GL_POINT_SIZE_MIN,
+             GL_POINT_SIZE_MAX,
+             GL_POINT_FADE_THRESHOLD_SIZE,
+             GL_POINT_DISTANCE_ATTENUATION,
+             GL_GENERATE_MIPMAP_HINT,
+             GL_FOG_COORDINATE_SOURCE,
+             GL_CURRENT_FOG_COORDINATE,
+             GL_FOG_COORDINATE_ARRAY,
+             GL_FOG_COORDINATE_ARRAY_TYPE,
+             GL_FOG_COORDINATE_ARRAY_STRIDE,
+             GL_COLOR_SUM,
+             GL_CURRENT_SECONDARY_COLOR,
+             GL_SECONDARY_COLOR_ARRAY,
+             GL_SECONDARY_COLOR_ARRAY_SIZE,
+             GL_SECONDARY_COLOR_ARRAY_TYPE,
+             GL_SECONDARY_COLOR_ARRAY_STRIDE,
+             GL_MAX_TEXTURE_LOD_BIAS,
+             // 1.5
+             GL_ARRAY_BUFFER_BINDING,
+             GL_ELEMENT_ARRAY_BUFFER_BINDING,
+             GL_VERTEX_ARRAY_BUFFER_BINDING,
+             GL_NORMAL_ARRAY_BUFFER_BINDING,
+             GL_COLOR_ARRAY_BUFFER_BINDING,
+             GL_INDEX_ARRAY_BUFFER_BINDING,
+             GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING,
+             GL_EDGE_FLAG_ARRAY_BUFFER_BINDING,
+             GL_SECONDARY_COLOR_ARRAY_BUFFER_BINDING,
+             GL_FOG_COORDINATE_ARRAY_BUFFER_BINDING,
+         }) {
+        GLfloat values[64] = {};
+        glGetFloatv(name, values);
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << std::hex << name;
+    }
+}
+
 TEST(Queries, NameTheProfileAndItsExtensions) {
     const auto has = [](const char* extension) {
         const auto* names = reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS));

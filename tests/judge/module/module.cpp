@@ -12,18 +12,15 @@ OIIO::TypeDesc type_of(Sample sample) {
         case Sample::U32: return OIIO::TypeDesc::UINT32;
         case Sample::Half: return OIIO::TypeDesc::HALF;
         case Sample::Float: return OIIO::TypeDesc::FLOAT;
+        case Sample::Other: break;
     }
     return {};
 }
 
-/// Answers false for a type that is none of ours.
-bool find_sample(OIIO::TypeDesc type, Sample& found) {
-    for (const Sample sample :
-         {Sample::U8, Sample::U16, Sample::U32, Sample::Half, Sample::Float}) {
-        found = sample;
-        if (type_of(sample) == type) return true;
-    }
-    return false;
+Sample kind_of(OIIO::TypeDesc type) {
+    for (const Sample sample : {Sample::U8, Sample::U16, Sample::U32, Sample::Half, Sample::Float})
+        if (type_of(sample) == type) return sample;
+    return Sample::Other;
 }
 
 std::string read(const std::string& file, Sample as, Spec& spec, std::vector<std::byte>& values) {
@@ -32,9 +29,7 @@ std::string read(const std::string& file, Sample as, Spec& spec, std::vector<std
     const auto input = OIIO::ImageInput::open(file, &hints);
     if (!input) return OIIO::geterror();
     const OIIO::ImageSpec& found = input->spec();
-    spec = {found.width, found.height, found.nchannels};
-    if (!find_sample(found.format, spec.format))
-        return "samples of " + std::string(found.format.c_str());
+    spec = {found.width, found.height, found.nchannels, kind_of(found.format)};
     values.resize(spec.samples() * type_of(as).size());
     if (!input->read_image(0, 0, 0, found.nchannels, type_of(as), values.data()))
         return input->geterror();
