@@ -2,11 +2,11 @@
 // 2.8, 2.10, 3.8
 #include "gl/draw/submit.h"
 #include "tests/gl/unit/support/window.h"
+#include "tests/gl/unit/textures/row_texture.h"
 
 namespace gw::gl {
 namespace {
 
-using Pixel = std::array<GLubyte, 4>;
 using Coordinates = std::array<GLdouble, 4>;
 
 GLint integer(GLenum name) {
@@ -18,25 +18,6 @@ Coordinates coordinates(GLenum name) {
     Coordinates out{};
     glGetDoublev(name, out.data());
     return out;
-}
-
-/// A texture of one row, on the active unit.
-void use_texture(const std::vector<Pixel>& texels, GLenum environment = GL_MODULATE) {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, GLsizei(texels.size()), 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 texels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GLint(environment));
-    glEnable(GL_TEXTURE_2D);
-}
-void use_texture_of(GLenum unit, const std::vector<Pixel>& texels,
-                    GLenum environment = GL_MODULATE) {
-    glActiveTexture(unit);
-    use_texture(texels, environment);
-    glActiveTexture(GL_TEXTURE0);
 }
 
 GLubyte product(GLubyte a, GLubyte b) { return GLubyte((2 * a * b + 255) / 510); }

@@ -2,6 +2,7 @@
 // 2.10.4
 #include "tests/gl/unit/support/picture.h"
 #include "tests/gl/unit/support/window.h"
+#include "tests/gl/unit/textures/row_texture.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -9,23 +10,7 @@
 namespace gw::gl {
 namespace {
 
-using Pixel = std::array<GLubyte, 4>;
 using Coordinates = std::array<GLdouble, 4>;
-
-/// A texture of one row.
-void use_row(GLenum unit, const std::vector<Pixel>& texels, GLenum environment = GL_MODULATE) {
-    glActiveTexture(unit);
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    glBindTexture(GL_TEXTURE_2D, name);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, GLsizei(texels.size()), 1, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 texels.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GLint(environment));
-    glEnable(GL_TEXTURE_2D);
-    glActiveTexture(GL_TEXTURE0);
-}
 
 /// Vertices of separate triangles, with coordinates of units 0, 1 and 3.
 struct Corner {
@@ -45,11 +30,11 @@ void use_rows_of_texels() {
     std::vector<Pixel> rainbow(8);
     for (std::size_t i = 0; i < rainbow.size(); ++i)
         rainbow[i] = {GLubyte(30 * i), GLubyte(255 - 20 * i), GLubyte(90 + 20 * i), 255};
-    use_row(GL_TEXTURE0, rainbow);
+    use_texture_of(GL_TEXTURE0, rainbow);
     std::reverse(rainbow.begin(), rainbow.end());
-    use_row(GL_TEXTURE1, rainbow, GL_ADD);
+    use_texture_of(GL_TEXTURE1, rainbow, GL_ADD);
     std::rotate(rainbow.begin(), rainbow.begin() + 3, rainbow.end());
-    use_row(GL_TEXTURE3, rainbow);
+    use_texture_of(GL_TEXTURE3, rainbow);
 }
 void send(const Corner& c) {
     glTexCoord2fv(c.first);
