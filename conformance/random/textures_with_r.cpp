@@ -36,7 +36,8 @@ TextureRef any_depths(Random& r) {
     Texture t{.name = "depths"};
     t.depths = true;
     t.format = r.pick({TextureFormat::Luminance, TextureFormat::Intensity, TextureFormat::Alpha});
-    return with_levels(r, std::move(t), r.between(1, 20), r.between(1, 20), 1);
+    const int height = r.between(1, 20), width = r.between(1, 20);
+    return with_levels(r, std::move(t), width, height, 1);
 }
 TextureRef any_cube(Random& r) {
     Texture t{.name = "cube"};
@@ -50,14 +51,15 @@ TextureRef any_volume(Random& r) {
     Texture t{.name = "volume"};
     t.dimensions = 3;
     t.format = r.chance(30) ? r.any(TextureFormat::Intensity) : TextureFormat::RGBA;
-    return with_levels(r, std::move(t), r.between(1, 9), r.between(1, 9), r.between(1, 9));
+    const int layers = r.between(1, 9), height = r.between(1, 9), width = r.between(1, 9);
+    return with_levels(r, std::move(t), width, height, layers);
 }
 TextureRef any_flat(Random& r) {
     Texture t{.name = "flat"};
     t.format = r.any(TextureFormat::Intensity);
     if (r.chance(10)) t.dimensions = 1;
-    return with_levels(r, std::move(t), r.between(1, 16), t.dimensions == 1 ? 1 : r.between(1, 16),
-                       1);
+    const int height = t.dimensions == 1 ? 1 : r.between(1, 16), width = r.between(1, 16);
+    return with_levels(r, std::move(t), width, height, 1);
 }
 TextureRef any_kind(Random& r) {
     const int kind = r.below(10);
