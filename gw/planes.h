@@ -26,6 +26,11 @@ inline constexpr PlaneMask all_planes = 15;  ///< that commands name: all but Ba
 
 /// The largest side of a surface.
 inline constexpr int max_surface_size = 8192;
+/// The most samples of a pixel.
+inline constexpr int max_samples = 8;
+/// The most samples of a surface that has samples: the pixels of the largest one.
+inline constexpr std::int64_t max_surface_samples =
+    std::int64_t{max_surface_size} * max_surface_size;
 /// Surfaces have the numbers 1 to this.
 inline constexpr std::uint32_t max_surfaces = 1023;
 
@@ -35,6 +40,8 @@ struct Surface {
     int width = 0, height = 0;
     PlaneMask planes = 0;  ///< of Color, Depth and Stencil; the window also has Accum
     int depth_bits = 0;    ///< 16 .. 32; 0: the profile's
+    int samples = 0;       ///< of a pixel: 2, 4 or 8 with extension multisample; 0: none
+    int sample_count() const { return samples > 0 ? samples : 1; }  ///< sets of planes
     bool has(Plane plane) const { return (planes & mask_of(plane)) != 0; }
     bool is_window() const { return has(Plane::Accum); }
     bool operator==(const Surface&) const = default;

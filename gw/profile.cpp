@@ -72,7 +72,8 @@ Profile opengl() {
                     .texture_3d = true,
                     .surfaces = true,
                     .point_parameters = true,
-                    .point_sprite = true};
+                    .point_sprite = true,
+                    .multisample = true};
     return p;
 }
 
@@ -116,6 +117,7 @@ std::span<const ExtensionName> extension_names() {
         {"surfaces", &Extensions::surfaces},
         {"point_parameters", &Extensions::point_parameters},
         {"point_sprite", &Extensions::point_sprite},
+        {"multisample", &Extensions::multisample},
     };
     static_assert(std::size(names) == sizeof(Extensions));
     return names;

@@ -47,6 +47,7 @@ struct Extensions {
     bool surfaces = false;          ///< MakeSurface, UseSurface, Blit
     bool point_parameters = false;  ///< PointParameters
     bool point_sprite = false;      ///< State::point_sprite
+    bool multisample = false;       ///< Surface::samples, MultisampleState
     bool operator==(const Extensions&) const = default;
 };
 

@@ -292,6 +292,17 @@ struct LogicOpState {
     bool operator==(const LogicOpState&) const = default;
 };
 
+/// Extension multisample: the samples of a fragment, on surfaces that have samples.
+struct MultisampleState {
+    bool enable = true;  ///< each sample has a place of its own; else all are at the centre
+    bool alpha_to_coverage = false;  ///< alpha says how many samples stay
+    bool alpha_to_one = false;       ///< alpha is one after that
+    bool coverage_test = false;  ///< only this part of the samples stays, or, inverted, the others:
+    float coverage = 1;          ///< clamped to [0, 1]
+    bool invert = false;
+    bool operator==(const MultisampleState&) const = default;
+};
+
 struct ColorMask {
     bool r = true, g = true, b = true, a = true;
     bool operator==(const ColorMask&) const = default;
@@ -341,6 +352,7 @@ struct State {
     BlendState blend;
     LogicOpState logic_op;
     ColorMask color_mask;
+    MultisampleState multisample;
     DrawBuffer draw_buffer = DrawBuffer::Front;
     ReadBuffer read_buffer = ReadBuffer::Front;
     bool operator==(const State&) const = default;

@@ -250,6 +250,21 @@ inline constexpr auto fields_of<BlendState> = std::tuple_cat(
                field("alpha", &BlendState::alpha, "", "Of alpha.")));
 
 template <>
+inline constexpr auto sentence_of<MultisampleState> =
+    "Extension multisample, on surfaces with samples.";
+template <>
+inline constexpr auto fields_of<MultisampleState> = std::tuple(
+    field("enable", &MultisampleState::enable, "R17.2", "Samples have places of their own."),
+    field("alpha_to_coverage", &MultisampleState::alpha_to_coverage, "R17.4",
+          "Alpha says how many samples stay.", restricted("extension")),
+    field("alpha_to_one", &MultisampleState::alpha_to_one, "R17.4", "Alpha is one after that.",
+          restricted("extension")),
+    field("coverage_test", &MultisampleState::coverage_test, "R17.4",
+          "A part of the samples stays.", restricted("extension")),
+    field("coverage", &MultisampleState::coverage, "R17.4", "That part, clamped to 0 .. 1."),
+    field("invert", &MultisampleState::invert, "R17.4", "The others stay."));
+
+template <>
 inline constexpr auto sentence_of<LogicOpState> = "Extension logic_op.";
 template <>
 inline constexpr auto fields_of<LogicOpState> = std::tuple(
@@ -313,6 +328,7 @@ inline constexpr auto fields_of<State> = std::tuple(
     field("blend", &State::blend, "", "Blending."),
     field("logic_op", &State::logic_op, "", "Logical operations."),
     field("color_mask", &State::color_mask, "", "Channels that are written."),
+    field("multisample", &State::multisample, "", "Samples of fragments."),
     field("draw_buffer", &State::draw_buffer, "R12.16", "Planes that are written.",
           restricted("Back, FrontAndBack: two colour planes")),
     field("read_buffer", &State::read_buffer, "R13.17", "The plane that is read.",

@@ -2,6 +2,7 @@
 #include "gw/machine.h"
 
 #include "gw/base/parallel.h"
+#include "gw/error.h"
 #include "gw/fast/plan/plan.h"
 #include "gw/fast/simd/simd_target.h"
 #include "gw/fast/tile/clear.h"
@@ -68,6 +69,7 @@ public:
         validate(list, profile(), window_.surface.width, window_.surface.height,
                  {machine_.state, machine_.slot_planes, machine_.targets,
                   pass_name(machine_.passes), queries_.active(), made_, number_});
+        refuse_samples(list);
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             rest = rest.subspan(
@@ -94,6 +96,14 @@ public:
     const Profile& profile() const override { return machine_.profile; }
 
 private:
+    static void refuse_samples(const CommandList& list) {
+        for (const Command& command : list.commands) {
+            const auto* const make = std::get_if<MakeSurface>(&command);
+            if (make && make->surface.samples != 0)
+                throw Error("surfaces with samples: expected the reference machine");
+        }
+    }
+
     void run_segment() {
         const Segment& segment = machine_.segment;
         if (segment.ops.empty()) return;
@@ -200,14 +210,14 @@ private:
     void run_barrier(const Blit& command) {
         const Resolved r = resolved();
         Drawable& from = drawable(command.from_surface);
-        const Planes source = from.read(threads_);  // a copy: it may be the target, too
+        const std::vector<Planes> source{from.read(threads_)};  // a copy: it may be the target, too
         Planes& to = used_->read(threads_);
         const Profile& p = used_->profile;
         const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
         for (const Plane plane : every_plane)
             if (planes & mask_of(plane))
                 count(blit_plane(command, plane, {from.surface, source, machine_.state.read_buffer},
-                                 r, p.color_bits, to),
+                                 0, r, p.color_bits, to),
                       plane_bytes(plane, p) + written_bytes(plane, r.state, p));
         write_planes();
     }

@@ -117,6 +117,12 @@ void cover_line(const SnappedLine& line, int width, const Rect& box, const Pixel
     }
 }
 
+bool is_between_ends(const SnappedLine& line, int x, int y) {
+    const auto& u = line.x_major ? line.x : line.y;
+    const std::int64_t p = center(line.x_major ? x : y, line.subpixel_bits);
+    return std::min(u[0], u[1]) <= p && p <= std::max(u[0], u[1]);
+}
+
 void cover_point(std::int64_t x, std::int64_t y, int size, int s, const Rect& box,
                  const PixelSink& pixel) {
     const std::int64_t shift = (size - 1) * (std::int64_t{1} << (s - 1));

@@ -52,6 +52,8 @@ bool covers(const SnappedTriangle& triangle, int x, int y);
 void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);
 /// A line, `width` pixels wide along its minor axis, without its last point.
 void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel);
+/// Whether a pixel's centre lies between the ends of a line along its major axis, ends included.
+bool is_between_ends(const SnappedLine& line, int x, int y);
 /// A square of `size` pixels around a snapped point.
 void cover_point(std::int64_t x, std::int64_t y, int size, int subpixel_bits, const Rect& box,
                  const PixelSink& pixel);

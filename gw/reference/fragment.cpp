@@ -1,6 +1,7 @@
 // [GL11] 4.1: from a fragment to the planes.
 #include "gw/reference/fragment.h"
 
+#include "gw/base/arithmetic.h"
 #include "gw/stages/tables.h"
 
 namespace gw::reference {
@@ -18,11 +19,10 @@ bool stencil_passes(const StencilFace& face, std::uint8_t stored) {
     return compare(face.func, static_cast<std::uint32_t>(face.ref) & face.mask, stored & face.mask);
 }
 
-/// The tests in order, up to the first that kills the fragment.
-Fate fragment_fate(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
+/// The stencil and the depth test, up to the first that fails.
+Fate sample_fate(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
     const StencilFace& face = f.front ? r.front : r.back;
     std::uint8_t& stencil = planes.stencil[i];
-    if (!compare(r.state.alpha.func, f.color[3], r.alpha_ref)) return Fate::AlphaTest;
     if (!stencil_passes(face, stencil)) {
         update_stencil(face, face.fail, r.stencil_max, stencil);
         return Fate::StencilTest;
@@ -49,9 +49,8 @@ void write(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) 
     });
 }
 
-void count(const FragmentTarget& target, Fate fate) {
+void count_sample(const FragmentTarget& target, Fate fate) {
     Counters& c = *target.counters;
-    c.fragments += 1;
     switch (fate) {
         case Fate::AlphaTest: c.alpha_killed += 1; return;
         case Fate::StencilTest: c.stencil_killed += 1; break;
@@ -67,6 +66,17 @@ void count(const FragmentTarget& target, Fate fate) {
     c.bytes += target.bytes.after_alpha;
 }
 
+/// One sample of a fragment, which passes the alpha test or not.
+void process_sample(const Resolved& r, const FragmentTarget& target, const Fragment& f,
+                    Planes& planes, bool passes_alpha) {
+    const std::size_t i = planes.index(f.x, f.y);
+    const PixelValues before = target.observer ? values_at(planes, i) : PixelValues{};
+    const Fate fate = passes_alpha ? sample_fate(r, planes, i, f) : Fate::AlphaTest;
+    if (fate == Fate::Written) write(r, planes, i, f);
+    count_sample(target, fate);
+    if (target.observer) target.observer->fragment(f, fate, before, values_at(planes, i));
+}
+
 }  // namespace
 
 void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored) {
@@ -78,13 +88,24 @@ void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored) {
 
 void process_fragment(const Resolved& state, const FragmentTarget& target,
                       const Fragment& fragment) {
-    Planes& planes = *target.planes;
-    const std::size_t i = planes.index(fragment.x, fragment.y);
-    const PixelValues before = target.observer ? values_at(planes, i) : PixelValues{};
-    const Fate fate = fragment_fate(state, planes, i, fragment);
-    if (fate == Fate::Written) write(state, planes, i, fragment);
-    count(target, fate);
-    if (target.observer) target.observer->fragment(fragment, fate, before, values_at(planes, i));
+    Covered all{all_samples(state.samples), {}};
+    all.depth.fill(fragment.depth);
+    process_fragment(state, target, fragment, all);
+}
+
+void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& given,
+                      const Covered& covered) {
+    target.counters->fragments += 1;
+    const SampleMask mask = covered.mask & kept_samples(state, given.color[3]);
+    Fragment fragment = given;
+    if (state.state.multisample.alpha_to_one)
+        fragment.color[3] = static_cast<std::uint16_t>(max_of_bits(state.bits));
+    const bool passes = compare(state.state.alpha.func, fragment.color[3], state.alpha_ref);
+    for (std::size_t k = 0; k < target.samples.size(); ++k) {
+        if (!(mask >> k & 1)) continue;
+        fragment.depth = covered.depth[k];
+        process_sample(state, target, fragment, target.samples[k], passes);
+    }
 }
 
 }  // namespace gw::reference

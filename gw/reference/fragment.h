@@ -6,20 +6,33 @@
 #include "gw/planes.h"
 #include "gw/reference/observer.h"
 #include "gw/stages/resolve.h"
+#include "gw/stages/samples.h"
+
+#include <array>
+#include <span>
 
 namespace gw::reference {
 
 /// The planes and counters that a fragment may change, and its observer.
 struct FragmentTarget {
-    Planes* planes = nullptr;
+    std::span<Planes> samples;  ///< the planes of each sample; one without samples
     Counters* counters = nullptr;
     Observer* observer = nullptr;
     FragmentBytes bytes;
+    Planes& planes() const { return samples[0]; }
 };
 
-/// `fragment` lies inside the pixel box.
+/// The samples that a fragment covers, and its depth at each of them.
+struct Covered {
+    SampleMask mask = 0;
+    std::array<std::uint32_t, max_samples> depth{};
+};
+
+/// `fragment` lies inside the pixel box. It covers all samples, with one depth.
 void process_fragment(const Resolved& state, const FragmentTarget& target,
                       const Fragment& fragment);
+void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment,
+                      const Covered& covered);
 
 /// Writes a colour through the colour mask.
 void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored);

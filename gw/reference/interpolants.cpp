@@ -150,6 +150,10 @@ void set_sprite(Interpolants& values, std::size_t unit, int size, bool without_t
     v.s = {.plane = plane(half, g, 0)};
     v.t = {.plane = without_t ? plane(0, 0, 0) : plane(half, 0, -g)};
     v.r = {.plane = plane(0, 0, 0)};
+    for (PerspectiveValue* const c : {&v.s, &v.t}) {
+        c->plane.low = 0;
+        c->plane.high = sprite_denominator;
+    }
     set_slopes(values, v);
 }
 

@@ -40,7 +40,8 @@ public:
         : profile_(profile),
           observer_(observer),
           window_{
-              {width, height, all_planes}, profile, Planes(width, height, profile.color_planes)} {}
+              {width, height, all_planes}, profile, {Planes(width, height, profile.color_planes)}} {
+    }
 
     void execute(const CommandList& list) override {
         const FloatEnvironment environment;
@@ -57,7 +58,7 @@ public:
         take_digests();
     }
 
-    const Planes& planes() override { return window_.planes; }
+    const Planes& planes() override { return window_.planes(); }
     const std::vector<PassReport>& passes() override { return passes_; }
     void reset_passes() override {
         queries_.forget(passes_);
@@ -76,7 +77,7 @@ private:
     }
 
     FragmentTarget target(const Resolved& r) {
-        return {&used().planes, &pass().counters, number_ == 0 ? observer_ : nullptr,
+        return {used().samples, &pass().counters, number_ == 0 ? observer_ : nullptr,
                 fragment_bytes(r, used().profile)};
     }
 
@@ -84,8 +85,9 @@ private:
 
     struct Drawable {
         Surface surface;
-        Profile profile;  ///< with its depth_bits
-        Planes planes;
+        Profile profile;              ///< with its depth_bits
+        std::vector<Planes> samples;  ///< one, or those of each sample
+        const Planes& planes() const { return samples[0]; }
     };
     Drawable& drawable(std::uint32_t number) {
         return number == 0 ? window_ : surfaces_.at(number);
@@ -97,7 +99,7 @@ private:
         if (passes_.empty()) return;
         for (const Plane plane : every_plane)
             if (passes_.back().digested & mask_of(plane))
-                passes_.back().digests[std::size_t(plane)] = digest(window_.planes, plane);
+                passes_.back().digests[std::size_t(plane)] = digest(window_.planes(), plane);
     }
 
     const Texels* texels(const TextureBinding& binding, std::size_t unit) {
@@ -106,8 +108,8 @@ private:
             const Drawable& from = surfaces_.at(binding.surface->surface);
             const Rect whole{0, 0, from.surface.width, from.surface.height};
             return &(surface_texels_[unit] =
-                         plane_texels(binding.surface->plane, whole, from.planes.color, from.planes,
-                                      from.profile));
+                         plane_texels(binding.surface->plane, whole, from.planes().color,
+                                      from.planes(), from.profile));
         }
         if (!binding.texture) return nullptr;
         auto& entry = texels_[binding.texture];
@@ -160,7 +162,7 @@ private:
         const Resolved r = resolved();
         if (command.source) {
             count_source(command, target(r), used().profile);
-            return run_command(with_values(command, r.state.read_buffer, used().planes));
+            return run_command(with_values(command, r.state.read_buffer, used().planes()));
         }
         const BoundTexels maps = bound(command);
         const std::uint64_t before = pass().counters.fragments;
@@ -181,7 +183,8 @@ private:
         if (command.surface.width == 0) return;
         surfaces_.emplace(command.number,
                           Drawable{command.surface, profile_of(profile_, command.surface),
-                                   Planes(command.surface)});
+                                   std::vector(std::size_t(command.surface.sample_count()),
+                                               Planes(command.surface))});
         made_[command.number] = command.surface;
     }
     void run_command(const UseSurface& command) {
@@ -190,7 +193,8 @@ private:
     }
     void run_command(const Blit& command) {
         const Drawable& from = drawable(command.from_surface);
-        const Planes before = from.planes;  // it may be the target, too
+        // Copies: it may be the target, too.
+        const std::vector<Planes> before = blit_samples(from.samples, used().surface);
         const Resolved r = resolved();
         run(command, {from.surface, before, state_.read_buffer}, used().surface, r, target(r),
             used().profile);

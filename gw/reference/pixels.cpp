@@ -8,19 +8,19 @@
 namespace gw::reference {
 namespace {
 
-/// Runs `change(index, x, y)` on each pixel of a box, counted and observed.
+/// Runs `change(planes, index, x, y)` on each sample of each pixel of a box, counted and observed.
 template <typename Change>
 void for_pixels(const Rect& box, const FragmentTarget& target, std::uint64_t bytes,
                 const Change& change) {
-    Planes& planes = *target.planes;
+    const Planes& first = target.planes();
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) {
-            const std::size_t i = planes.index(x, y);
-            const PixelValues before = target.observer ? values_at(planes, i) : PixelValues{};
-            change(i, x, y);
+            const std::size_t i = first.index(x, y);
+            const PixelValues before = target.observer ? values_at(first, i) : PixelValues{};
+            for (Planes& planes : target.samples) change(planes, i, x, y);
             target.counters->pixels += 1;
-            target.counters->bytes += bytes;
-            if (target.observer) target.observer->pixel(x, y, before, values_at(planes, i));
+            target.counters->bytes += bytes * target.samples.size();
+            if (target.observer) target.observer->pixel(x, y, before, values_at(first, i));
         }
 }
 
@@ -67,9 +67,10 @@ void run(const Clear& command, const Resolved& r, const FragmentTarget& target,
         value.accum[std::size_t(c)] = cleared_accum(command.accum[c], profile);
     for (const Plane plane : every_plane)
         if (command.planes & mask_of(plane))
-            for_pixels(
-                r.pixel_box, target, written_bytes(plane, r.state, profile),
-                [&](std::size_t i, int, int) { write_plane(plane, r, *target.planes, i, value); });
+            for_pixels(r.pixel_box, target, written_bytes(plane, r.state, profile),
+                       [&](Planes& planes, std::size_t i, int, int) {
+                           write_plane(plane, r, planes, i, value);
+                       });
 }
 
 void run(const WriteSpans& command, const Resolved& r, const FragmentTarget& target) {
@@ -96,19 +97,19 @@ void run(const WritePixels& command, const Resolved& r, const FragmentTarget& ta
                                   true, std::uint32_t(command.rect.index(x, y))});
         return;
     }
-    for_pixels(box, target, plane_bytes(command.plane, profile), [&](std::size_t i, int x, int y) {
-        PixelValues value;
-        value.depth = command.values[command.rect.index(x, y)];
-        value.stencil = static_cast<std::uint8_t>(value.depth);
-        write_plane(command.plane, r, *target.planes, i, value);
-    });
+    for_pixels(box, target, plane_bytes(command.plane, profile),
+               [&](Planes& planes, std::size_t i, int x, int y) {
+                   PixelValues value;
+                   value.depth = command.values[command.rect.index(x, y)];
+                   value.stencil = static_cast<std::uint8_t>(value.depth);
+                   write_plane(command.plane, r, planes, i, value);
+               });
 }
 
 void run(const Accumulate& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile) {
-    Planes& planes = *target.planes;
     const std::uint64_t bytes = accumulate_bytes(command.op, r.state, profile);
-    for_pixels(r.pixel_box, target, bytes, [&](std::size_t i, int, int) {
+    for_pixels(r.pixel_box, target, bytes, [&](Planes& planes, std::size_t i, int, int) {
         PixelValues value = read_values(r, planes, i);
         Rgba& color = value.color;
         for (std::size_t c = 0; c < 4; ++c) {
@@ -128,22 +129,22 @@ void run(const Accumulate& command, const Resolved& r, const FragmentTarget& tar
 
 void run(const Copy& command, const Resolved& r, const FragmentTarget& target,
          const Profile& profile) {
-    const Planes before = *target.planes;
+    const Planes before = target.planes();
     const int dx = command.x - command.source.x, dy = command.y - command.source.y;
     const Rect inside = intersect(command.source, {0, 0, before.width, before.height});
     const Rect box =
         intersect(r.pixel_box, {inside.x + dx, inside.y + dy, inside.width, inside.height});
     const std::uint64_t bytes =
         plane_bytes(command.plane, profile) + written_bytes(command.plane, r.state, profile);
-    for_pixels(box, target, bytes, [&](std::size_t i, int x, int y) {
-        write_plane(command.plane, r, *target.planes, i,
+    for_pixels(box, target, bytes, [&](Planes& planes, std::size_t i, int x, int y) {
+        write_plane(command.plane, r, planes, i,
                     read_values(r, before, before.index(x - dx, y - dy)));
     });
 }
 
 void count_source(const DrawPixels& command, const FragmentTarget& target, const Profile& profile) {
     const std::uint64_t pixels =
-        source_box(command, target.planes->width, target.planes->height).area();
+        source_box(command, target.planes().width, target.planes().height).area();
     target.counters->pixels += pixels;
     target.counters->bytes += pixels * plane_bytes(command.source->plane, profile);
 }
@@ -158,8 +159,8 @@ void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& tar
             if (!pixel) continue;
             if (placed.is_stencil()) {
                 for_pixels({x, y, 1, 1}, target, plane_bytes(Plane::Stencil, profile),
-                           [&](std::size_t i, int, int) {
-                               write_stencil(r, placed.stencil(*pixel), target.planes->stencil[i]);
+                           [&](Planes& planes, std::size_t i, int, int) {
+                               write_stencil(r, placed.stencil(*pixel), planes.stencil[i]);
                            });
                 continue;
             }
@@ -170,7 +171,7 @@ void run(const DrawPixels& command, const Resolved& r, const FragmentTarget& tar
 }
 
 void run(const SwapBuffers&, const FragmentTarget& target) {
-    Planes& planes = *target.planes;
+    Planes& planes = target.planes();
     std::swap(planes.color, planes.back);
     if (!target.observer) return;
     for (int y = 0; y < planes.height; ++y)
@@ -186,8 +187,8 @@ Readback run(const Read& command, const Resolved& r, const FragmentTarget& targe
              const Profile& profile) {
     Readback out{command.plane, command.rect, {}, {}, {}};
     for_pixels(command.rect, target, plane_bytes(command.plane, profile),
-               [&](std::size_t i, int, int) {
-                   const PixelValues v = read_values(r, *target.planes, i);
+               [&](const Planes& planes, std::size_t i, int, int) {
+                   const PixelValues v = read_values(r, planes, i);
                    switch (command.plane) {
                        case Plane::Back: break;
                        case Plane::Color:
@@ -206,30 +207,31 @@ Readback run(const Read& command, const Resolved& r, const FragmentTarget& targe
 
 void run(const Blit& command, const BlitSource& from, const Surface& to, const Resolved& r,
          const FragmentTarget& target, const Profile& profile) {
-    const std::vector<Planes> before(target.observer ? 1 : 0, *target.planes);
+    const std::vector<Planes> before(target.observer ? 1 : 0, target.planes());
     const PlaneMask blitted = blitted_planes(command, from.surface, to);
     for (const Plane plane : every_plane) {
         if ((blitted & mask_of(plane)) == 0) continue;
-        const std::uint64_t pixels =
-            blit_plane(command, plane, from, r, profile.color_bits, *target.planes);
+        std::uint64_t pixels = 0;
+        for (std::size_t k = 0; k < target.samples.size(); ++k)
+            pixels = blit_plane(command, plane, from, k, r, profile.color_bits, target.samples[k]);
         target.counters->pixels += pixels;
-        target.counters->bytes +=
-            pixels * (plane_bytes(plane, profile) + written_bytes(plane, r.state, profile));
+        target.counters->bytes += pixels * blit_bytes(plane, from.surface, to, r.state, profile);
     }
     if (!target.observer) return;
+    const Planes& after = target.planes();
     const Rect box = intersect(r.pixel_box, command.target);
     for (int y = box.y; y < box.y + box.height; ++y)
         for (int x = box.x; x < box.x + box.width; ++x) {
-            const std::size_t i = target.planes->index(x, y);
-            target.observer->pixel(x, y, values_at(before[0], i), values_at(*target.planes, i));
+            const std::size_t i = after.index(x, y);
+            target.observer->pixel(x, y, values_at(before[0], i), values_at(after, i));
         }
 }
 
 Texels copied_texels(const CopyTexture& command, const Resolved& r, const FragmentTarget& target,
                      const Profile& profile) {
-    const Planes& planes = *target.planes;
+    const Planes& planes = target.planes();
     for_pixels(command.rect, target, plane_bytes(command.plane, profile),
-               [](std::size_t, int, int) {});
+               [](const Planes&, std::size_t, int, int) {});
     return plane_texels(command.plane, command.rect,
                         r.state.read_buffer == ReadBuffer::Back ? planes.back : planes.color,
                         planes, profile);

@@ -61,10 +61,13 @@ Rgba shaded_color(const Shader& s, int x, int y) {
 
 }  // namespace
 
+std::uint32_t Shader::depth_of(const PlaneEquation& plane, int x, int y) const {
+    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(
+        plane.at(x, y) + depth_offset, 0, max_of_bits(context.profile->depth_bits)));
+}
+
 void Shader::pixel(int x, int y, std::uint32_t coverage) const {
-    const std::int64_t z = values.depth.at(x, y) + depth_offset;
-    const auto depth = static_cast<std::uint32_t>(
-        std::clamp<std::int64_t>(z, 0, max_of_bits(context.profile->depth_bits)));
+    const std::uint32_t depth = depth_of(values.depth, x, y);
     Rgba color = shaded_color(*this, x, y);
     if (coverage != 0) color[3] = covered_alpha(color[3], coverage, context.profile->coverage_bits);
     process_fragment(context.state, context.target,
@@ -75,6 +78,23 @@ void Shader::outside_pixel(int x, int y, std::uint32_t coverage) const {
     Shader limited = *this;
     limited.values = limited_to_pixel(values, x, y);
     limited.pixel(x, y, coverage);
+}
+
+void Shader::samples(int x, int y, SampleMask mask, bool inside) const {
+    Shader at_center = *this;
+    if (!inside) at_center.values = limited_to_pixel(values, x, y);
+    Covered covered{mask, {}};
+    for (int k = 0; k < context.state.samples; ++k) {
+        if (!(mask >> k & 1)) continue;
+        const JitterState shift =
+            sample_shift(context.state.samples, k, context.profile->subpixel_bits);
+        PlaneEquation at_sample = values.depth;
+        at_sample.x0 += shift.x;
+        at_sample.y0 += shift.y;
+        covered.depth[std::size_t(k)] = depth_of(at_sample, x, y);
+    }
+    process_fragment(context.state, context.target,
+                     {x, y, shaded_color(at_center, x, y), 0, front, primitive}, covered);
 }
 
 }  // namespace gw::reference

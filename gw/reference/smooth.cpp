@@ -14,14 +14,6 @@ void for_each_covered(const Areas& areas, int bits, const auto& fragment) {
     }
 }
 
-/// Whether a pixel's centre lies between the ends of a line along its major axis.
-bool is_between_ends(const SnappedLine& line, int x, int y) {
-    const int s = line.subpixel_bits;
-    const auto& u = line.x_major ? line.x : line.y;
-    const std::int64_t p = (std::int64_t{line.x_major ? x : y} << s) + (std::int64_t{1} << (s - 1));
-    return std::min(u[0], u[1]) <= p && p <= std::max(u[0], u[1]);
-}
-
 }  // namespace
 
 void Areas::add_around(Shape corners, std::size_t ordinal, const auto& area_at) {

@@ -65,9 +65,21 @@ const TextureState& texture_of(const State& state, std::size_t unit) {
     return state.more_textures.units ? (*state.more_textures.units)[unit - 1] : initial;
 }
 
-Resolved resolve(const State& state, const Profile& profile, int width, int height) {
+namespace {
+
+/// Without samples there are none to lose; with samples of their own places, edges are smooth.
+void resolve_samples(State& s, int samples) {
+    if (samples == 1 || !s.multisample.enable)
+        s.multisample = {.enable = false};
+    else
+        s.point_smooth = s.line_smooth = s.polygon_smooth = false;
+}
+
+Resolved resolve(const State& state, const Profile& profile, int width, int height, int samples) {
     Resolved r;
     r.state = state;
+    r.samples = samples;
+    resolve_samples(r.state, samples);
     r.bits = profile.color_bits;
     r.stencil_max = max_of_bits(profile.stencil_bits);
 
@@ -104,6 +116,12 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
     return r;
 }
 
+}  // namespace
+
+Resolved resolve(const State& state, const Profile& profile, int width, int height) {
+    return resolve(state, profile, width, height, 1);
+}
+
 Resolved resolve(const State& state, const Profile& profile, const Surface& surface) {
     if (surface.is_window()) return resolve(state, profile, surface.width, surface.height);
     State s = state;
@@ -112,7 +130,7 @@ Resolved resolve(const State& state, const Profile& profile, const Surface& surf
     if (!surface.has(Plane::Color)) s.draw_buffer = DrawBuffer::None;
     if (!surface.has(Plane::Depth)) s.depth = {.mask = false};
     if (!surface.has(Plane::Stencil)) s.stencil = {.write_mask = 0};
-    return resolve(s, profile, surface.width, surface.height);
+    return resolve(s, profile, surface.width, surface.height, surface.sample_count());
 }
 
 std::uint64_t plane_bytes(Plane plane, const Profile& profile) {

@@ -27,11 +27,12 @@ struct ResolvedTexture {
 /// The members of ResolvedTexture are those of unit 0.
 struct Resolved : ResolvedTexture {
     /// tests normalised; blending off under logic_op; no mask without draw buffer; cull.front is the
-    /// winding in the window
+    /// winding in the window; multisample off without samples, no antialiasing under it
     State state;
-    int bits = 8;    ///< of a colour channel
-    Rect pixel_box;  ///< scissor and window: pixels outside never change
-    Rect draw_box;   ///< pixel_box and viewport: primitives make no fragments outside
+    int bits = 8;     ///< of a colour channel
+    int samples = 1;  ///< of a pixel of the surface
+    Rect pixel_box;   ///< scissor and window: pixels outside never change
+    Rect draw_box;    ///< pixel_box and viewport: primitives make no fragments outside
     ViewportTransform viewport;
     /// masks cut to stencil_bits; Always and Keep if the test is off
     StencilFace front, back;

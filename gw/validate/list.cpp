@@ -60,8 +60,16 @@ void use(Checker& c, const ListContext& context) {
     c.depth_bits = depth_bits(c.profile, surface);
 }
 
-/// Commands that read a plane need one.
+void check_one_sample(const Checker& c, const ListContext& context, std::uint32_t number) {
+    const int samples = surface_of(c, context, number).samples;
+    if (samples != 0)
+        c.fail(fmt::format("surface {} has {} samples; expected one without samples", number,
+                           samples));
+}
+
+/// Commands that read a plane need one, without samples.
 void check_has(const Checker& c, const ListContext& context, Plane plane) {
+    check_one_sample(c, context, context.surface);
     if (context.surface != 0 && !surface_of(c, context, context.surface).has(plane))
         c.fail(fmt::format("plane = {}; expected a plane of surface {}", name_of(plane),
                            context.surface));
@@ -75,6 +83,7 @@ void check_map(const Checker& c, const SurfacePlane& map, bool compares,
         c.fail(fmt::format("surface {} as texture while it is drawn to; expected another surface",
                            map.surface));
     const Surface surface = surface_of(c, context, map.surface);
+    check_one_sample(c, context, map.surface);
     if ((map.plane != Plane::Color && map.plane != Plane::Depth) || !surface.has(map.plane))
         c.fail(fmt::format("{} of surface {} as texture; expected a plane of colours or depths",
                            name_of(map.plane), map.surface));
@@ -133,6 +142,14 @@ void check_in_context(const Checker& c, const UseSurface& use, const ListContext
 void check_in_context(const Checker& c, const Blit& blit, const ListContext& context) {
     const Surface from = surface_of(c, context, blit.from_surface),
                   to = surface_of(c, context, context.surface);
+    if (from.samples != 0 && to.samples != 0 && from.samples != to.samples)
+        c.fail(fmt::format("{} samples to {} samples; expected as many", from.samples, to.samples));
+    const bool equal =
+        blit.source.width == blit.target.width && blit.source.height == blit.target.height;
+    if ((from.samples != 0 || to.samples != 0) && !equal)
+        c.fail(fmt::format("samples of {} x {} pixels to {} x {}; expected sides of equal length",
+                           blit.source.width, blit.source.height, blit.target.width,
+                           blit.target.height));
     const bool depths = (blit.planes & from.planes & to.planes & mask_of(Plane::Depth)) != 0;
     if (depths && depth_bits(c.profile, from) != depth_bits(c.profile, to))
         c.fail(fmt::format("depths of {} bits to {} bits; expected as many",

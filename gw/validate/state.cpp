@@ -83,6 +83,9 @@ void check_extensions(const Checker& c, const State& s) {
     check_word(c, s.fog.source);
     check_word(c, s.clip_control.origin);
     check_word(c, s.clip_control.depth);
+    const MultisampleState& m = s.multisample;
+    c.extension(m.alpha_to_coverage || m.alpha_to_one || m.coverage_test, e.multisample,
+                "multisample");
     check_words(c, s.blend);
 }
 

@@ -26,6 +26,17 @@ void check_rect(const Checker& c, const char* what, const Rect& r) {
             r.x, r.y, r.width, r.height));
 }
 
+void check_samples(const Checker& c, const Surface& s) {
+    if (s.samples == 0) return;
+    c.extension(true, c.profile.extensions.multisample, "multisample");
+    c.require(s.samples == 2 || s.samples == 4 || s.samples == 8, "surface.samples", s.samples,
+              "0, 2, 4 or 8");
+    c.require(c.profile.subpixel_bits >= 3, "subpixel_bits of samples", c.profile.subpixel_bits,
+              "3 or more");
+    const std::int64_t all = std::int64_t{s.width} * s.height * s.samples;
+    c.require(all <= max_surface_samples, "samples of the surface", all, "at most 67108864");
+}
+
 }  // namespace
 
 void check(const Checker& c, const MakeSurface& make) {
@@ -38,6 +49,7 @@ void check(const Checker& c, const MakeSurface& make) {
     c.require(none || c.is_side(1, s.height), "surface.height", s.height, "1 to 8192");
     c.require(s.depth_bits == 0 || (s.depth_bits >= 16 && s.depth_bits <= 32), "surface.depth_bits",
               s.depth_bits, "0, or 16 to 32");
+    check_samples(c, s);
     if (!none && s.planes == 0) c.fail("a surface without planes; expected one or more");
 }
 

@@ -26,7 +26,8 @@ public:
     void add(const MakeSurface& m) {
         const Surface& s = m.surface;
         make(surfaces_[m.number], area({0, 0, s.width, s.height}),
-             14 + (s.has(Plane::Color) ? 16 : 0) + (s.has(Plane::Depth) ? 16 : 0));
+             14 * std::uint64_t(s.sample_count()) + (s.has(Plane::Color) ? 16 : 0) +
+                 (s.has(Plane::Depth) ? 16 : 0));
     }
     void add(const Read& r) { keep(readbacks_[r.key], 64 + 16 * area(r.rect)); }
     void add(const SetState& s) { texture_ = s.state->texture; }

@@ -113,7 +113,8 @@ private:
     Offset<void> command(const SwapBuffers&) { return gwt::CreateSwapBuffers(out_).Union(); }
     Offset<void> command(const MakeSurface& c) {
         const Surface& s = c.surface;
-        return gwt::CreateMakeSurface(out_, c.number, s.width, s.height, s.planes, s.depth_bits)
+        return gwt::CreateMakeSurface(out_, c.number, s.width, s.height, s.planes, s.depth_bits,
+                                      s.samples)
             .Union();
     }
     Offset<void> command(const UseSurface& c) {
@@ -336,7 +337,8 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         p.color_planes, e.blend_separate, e.blend_square, e.texture_sizes, e.texture_wraps,
         e.texture_lod, e.texture_combine, e.texture_srgb, e.secondary_color, e.fog_coordinate,
         e.occlusion_query, e.clip_control, e.texture_units, e.texture_depth, e.texture_cube,
-        e.texture_seamless, e.texture_3d, e.surfaces, e.point_parameters, e.point_sprite);
+        e.texture_seamless, e.texture_3d, e.surfaces, e.point_parameters, e.point_sprite,
+        e.multisample);
 }
 
 bool needs_version_2(const Profile& p) {

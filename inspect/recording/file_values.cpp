@@ -32,7 +32,8 @@ Profile from_file(const gwt::Profile& p) {
                            p.texture_units(),    p.texture_depth(),
                            p.texture_cube(),     p.texture_seamless(),
                            p.texture_3d(),       p.surfaces(),
-                           p.point_parameters(), p.point_sprite()}};
+                           p.point_parameters(), p.point_sprite(),
+                           p.multisample()}};
 }
 
 TextureRef given_texture(const gwt::Texture& t, const std::string& name,

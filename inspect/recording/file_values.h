@@ -82,7 +82,7 @@ bool needs_version_2(const State& state);
 /// Throws Error for an unknown enumerator.
 State from_file(const gwt::State& state);
 inline MakeSurface from_file(const gwt::MakeSurface& c) {
-    return {c.number(), {c.width(), c.height(), c.planes(), c.depth_bits()}};
+    return {c.number(), {c.width(), c.height(), c.planes(), c.depth_bits(), c.samples()}};
 }
 inline UseSurface from_file(const gwt::UseSurface& c) { return {c.number()}; }
 inline Blit from_file(const gwt::Blit& c) {

@@ -44,8 +44,9 @@ std::string text(const std::optional<SurfacePlane>& s) {
     return s ? fmt::format("{} of surface {}", text(s->plane), s->surface) : "none";
 }
 std::string text(const Surface& s) {
-    return fmt::format("{} x {} planes {} depth_bits {}", s.width, s.height, int(s.planes),
-                       s.depth_bits);
+    const std::string samples = s.samples != 0 ? fmt::format(" samples {}", s.samples) : "";
+    return fmt::format("{} x {} planes {} depth_bits {}{}", s.width, s.height, int(s.planes),
+                       s.depth_bits, samples);
 }
 std::string text(const Material& m) {
     return fmt::format("Ka {} Kd {} Ks {} Ke {} Ns {} alpha {}", text(m.Ka), text(m.Kd), text(m.Ks),

@@ -207,14 +207,15 @@ void add_commands(py::module_& m) {
         .def(
             "make_surface",
             [](ListHolder& l, std::uint32_t number, int width, int height,
-               const std::vector<Plane>& planes, int depth_bits) {
+               const std::vector<Plane>& planes, int depth_bits, int samples) {
                 PlaneMask mask = 0;
                 for (const Plane plane : planes) mask = PlaneMask(mask | mask_of(plane));
-                l.add(MakeSurface{number, {width, height, mask, depth_bits}});
+                l.add(MakeSurface{number, {width, height, mask, depth_bits, samples}});
             },
             py::arg("number"), py::arg("width"), py::arg("height"), py::arg("planes"),
-            py::kw_only(), py::arg("depth_bits") = 0,
-            "Makes a surface, 1 .. 1023, of these planes, all 0 (extension surfaces).")
+            py::kw_only(), py::arg("depth_bits") = 0, py::arg("samples") = 0,
+            "Makes a surface, 1 .. 1023, of these planes, all 0 (extension surfaces). Samples: 0, 2, "
+            "4 or 8 (extension multisample).")
         .def(
             "use_surface", [](ListHolder& l, std::uint32_t number) { l.add(UseSurface{number}); },
             py::arg("number"), "The following commands draw to it and read from it; 0: the window.")

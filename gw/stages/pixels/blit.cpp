@@ -1,6 +1,7 @@
 #include "gw/stages/pixels/blit.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/stages/samples.h"
 #include "gw/stages/texels.h"
 
 #include <vector>
@@ -44,9 +45,22 @@ PlaneMask blitted_planes(const Blit& blit, const Surface& from, const Surface& t
     return PlaneMask(blit.planes & from.planes & to.planes & surface_planes);
 }
 
-std::uint64_t blit_plane(const Blit& blit, Plane plane, const BlitSource& from, const Resolved& r,
-                         int bits, Planes& to) {
-    const Planes& source = from.planes;
+std::vector<Planes> blit_samples(std::span<const Planes> from, const Surface& to) {
+    if (from.size() > 1 && to.samples == 0) return {one_of_each(from)};
+    return {from.begin(), from.end()};
+}
+
+std::uint64_t blit_bytes(Plane plane, const Surface& from, const Surface& to, const State& state,
+                         const Profile& profile) {
+    const bool all = to.samples != 0 || plane == Plane::Color;
+    const int read = all ? from.sample_count() : 1, written = to.sample_count();
+    return std::uint64_t(read) * plane_bytes(plane, profile) +
+           std::uint64_t(written) * written_bytes(plane, state, profile);
+}
+
+std::uint64_t blit_plane(const Blit& blit, Plane plane, const BlitSource& from, std::size_t k,
+                         const Resolved& r, int bits, Planes& to) {
+    const Planes& source = from.samples.size() == 1 ? from.samples[0] : from.samples[k];
     const std::vector<Rgba>& colors =
         from.buffer == ReadBuffer::Back && from.surface.is_window() ? source.back : source.color;
     const ColorsBetween between{colors, source.width, source.height, bits};

@@ -110,6 +110,8 @@ const Change changes[] = {
              s.point_parameters = {.linear = 1, .min_size = 7, .max_size = 9};
      }},
     {"point_sprite", [](State& s) { s.point_sprite = s.texture.coord_replace = true; }},
+    {"multisample",
+     [](State& s) { s.multisample = {.alpha_to_one = true, .coverage_test = true}; }},
     {"sizes in parts of a pixel", [](State& s) { s.point_size = s.line_width = 1.25f; }},
     {"normalize", [](State& s) { s.normalize = false; }},
     {"lighting.color_material",
@@ -175,7 +177,7 @@ const Change changes[] = {
                                   point_smooth, line_smooth, polygon_smooth, shade_model,
                                   color_source, lighting, color_sum, fog, texture, more_textures,
                                   scissor, alpha, stencil, depth, blend, logic_op, color_mask,
-                                  draw_buffer, read_buffer] = state;
+                                  multisample, draw_buffer, read_buffer] = state;
 }
 
 struct Scene {
@@ -201,6 +203,7 @@ Scene any_scene(std::uint64_t seed) {
     scene.where.profile.extensions.texture_units = true;
     scene.where.profile.extensions.point_parameters = true;
     scene.where.profile.extensions.point_sprite = true;
+    scene.where.profile.extensions.multisample = true;
     scene.state.color_source = ColorSource::Vertex;
     for (const Command& command : s.out.list.commands)
         if (const auto* draw = std::get_if<Draw>(&command)) scene.draws.push_back(*draw);

@@ -4,6 +4,7 @@
 #include "gw/machine.h"
 #include "test_paths.h"
 #include "tests/gw/manual_textures/refused_textures.h"
+#include "tests/gw/surfaces/refused_samples.h"
 #include "tests/gw/surfaces/refused_surfaces.h"
 
 #include <fmt/format.h>
@@ -355,9 +356,9 @@ const std::set<std::string> not_tried{
 
 TEST(ManualRefusals, EachIsListedAndHappens) {
     std::vector<std::string> happened;
-    for (const auto& some :
-         {refused_states(), refused_draws(), refused_pixel_commands(), refused_draw_pixels(),
-          refused_values(), refused_textures(message_of), test::refused_surfaces(refusal)})
+    for (const auto& some : {refused_states(), refused_draws(), refused_pixel_commands(),
+                             refused_draw_pixels(), refused_values(), refused_textures(message_of),
+                             test::refused_surfaces(refusal), test::refused_samples(refusal)})
         happened.insert(happened.end(), some.begin(), some.end());
     const std::vector<std::string> listed = messages_of_the_page();
     EXPECT_GE(listed.size(), 90u);
