@@ -53,21 +53,29 @@ MeshData square(double x0, double y0, double x1, double y1, vec4 color = vec4(1)
         {{at(x0), at(y0), z}, {at(x1), at(y0), z}, {at(x1), at(y1), z}, {at(x0), at(y1), z}},
         std::vector<vec4>(4, color));
 }
-MeshData whole(vec4 color = vec4(1), float z = 0) { return square(0, 0, 1, 1, color, z); }
+/// A triangle over what lies to the left of x, in the same coordinates.
+MeshData left_of(double x, vec4 color = vec4(1), float z = 0) {
+    const auto at = [](double v) { return float(2 * v - 1); };
+    return test::mesh_data(Primitive::Triangles,
+                           {{at(x), at(-2), z}, {at(x), at(3), z}, {at(x - 2.5), at(0.5), z}},
+                           std::vector<vec4>(3, color));
+}
+/// One triangle over the whole pixel.
+MeshData whole(vec4 color = vec4(1), float z = 0) { return left_of(1.5, color, z); }
 
 // [R17.1] [R17.2] [R17.6] [R17.7]
 TEST(ManualSamples, TheMeanOfFour) {
     SampleBench bench(4);
-    bench.draw(square(0, 0, 0.5, 1));
+    bench.draw(left_of(0.5));
     const Counters drawn = bench.take_counters();
     EXPECT_EQ(drawn.fragments, 1u);
     EXPECT_EQ(drawn.written, 2u);
     EXPECT_EQ(bench.mean_red(), 128);
     bench.clear(color_plane);
     bench.state.multisample.enable = false;
-    EXPECT_EQ(bench.written(square(0, 0, 0.5, 1)), 0u);
+    EXPECT_EQ(bench.written(left_of(0.5)), 0u);
     EXPECT_EQ(bench.mean_red(), 0);
-    EXPECT_EQ(bench.written(square(0, 0, 0.75, 1)), 4u);
+    EXPECT_EQ(bench.written(left_of(0.75)), 4u);
     EXPECT_EQ(bench.mean_red(), 255);
 }
 
@@ -130,11 +138,12 @@ TEST(ManualSamples, AreSurfacesUnderAJitter) {
             const std::uint64_t written = bench.written(data);
             bench.resolve();
             const Planes first = bench.planes();
+            bench.run(MakeSurface{2, {side, side, surface_planes}});
+            bench.run(UseSurface{2});
             std::uint64_t sum = 0;
             for (int k = samples - 1; k >= 0; --k) {
                 const auto& [x, y] = places.at(samples)[std::size_t(k)];
-                bench.run(MakeSurface{2, {side, side, surface_planes}});
-                bench.run(UseSurface{2});
+                bench.clear(depth_plane, vec4(0), 0);
                 state.jitter = {3 + (4 - x) * 32, -5 + (4 - y) * 32};
                 sum += bench.written(data);
             }
@@ -158,7 +167,7 @@ TEST(ManualSamples, OuterCentresAreLimited) {
 // [R17.3]
 TEST(ManualSamples, ColoursAreThoseOfTheCentre) {
     SampleBench bench(8);
-    MeshData slope = whole({0, 0, 0, 1});
+    MeshData slope = square(-1, -1, 2, 2, {0, 0, 0, 1});
     slope.colors[1].r = slope.colors[2].r = 200 / 255.0f;
     EXPECT_EQ(bench.written(slope), 8u);
     EXPECT_EQ(bench.mean_red(), 100);
@@ -235,7 +244,7 @@ TEST(ManualSamples, StagesAfterTheAlphaTestAreOfSamples) {
     bench.clear(surface_planes);
     bench.state.depth = {.test = true, .func = DepthFunc::Less};
     bench.state.stencil = {.test = true, .zfail = StencilOp::Incr, .zpass = StencilOp::Invert};
-    EXPECT_EQ(bench.written(square(0, 0, 0.5, 1, {100 / 255.0f, 0, 0, 1}, -0.5f)), 2u);
+    EXPECT_EQ(bench.written(left_of(0.5, {100 / 255.0f, 0, 0, 1}, -0.5f)), 2u);
     bench.take_counters();
     bench.state.blend = {true, BlendFactor::One, BlendFactor::One};
     bench.draw(whole({50 / 255.0f, 0, 0, 1}, 0));
@@ -273,7 +282,7 @@ TEST(ManualSamples, ClearsAndRectanglesAreOfAllSamples) {
 TEST(ManualSamples, BlitsCopySamplesAndSampleZeroOfDepths) {
     SampleBench bench(4);
     bench.state.depth = {.test = true, .func = DepthFunc::Always};
-    bench.draw(square(0, 0, 0.5, 1));  // samples 0 and 2: depth of z = 0
+    bench.draw(left_of(0.5));  // samples 0 and 2: depth of z = 0
     bench.run(UseSurface{0});
     bench.run(MakeSurface{2, {1, 1, surface_planes, 0, 4}});
     bench.run(UseSurface{2});
