@@ -50,3 +50,4 @@ class Profile:
     surfaces: bool = False
     point_parameters: bool = False
     point_sprite: bool = False
+    multisample: bool = False

@@ -272,6 +272,17 @@ class ColorMask:
 
 
 @dataclass
+class Multisample:
+    """[R17.2], [R17.4]"""
+    enable: bool = True
+    alpha_to_coverage: bool = False
+    alpha_to_one: bool = False
+    coverage_test: bool = False
+    coverage: float = 1.0
+    invert: bool = False
+
+
+@dataclass
 class State:
     projection: list = field(default_factory=identity)
     viewport: Viewport = field(default_factory=Viewport)
@@ -327,6 +338,7 @@ class State:
     point_parameters: PointParameters = field(default_factory=PointParameters)
     point_sprite: bool = False
     coord_replace: bool = False
+    multisample: Multisample = field(default_factory=Multisample)
     more_textures: Any = None  # states that have the members of textures only [R10.37]
 
     def of_unit(self, unit):

@@ -5,8 +5,8 @@
 #include "gw/counters.h"
 #include "gw/planes.h"
 #include "gw/reference/observer.h"
+#include "gw/stages/raster/samples.h"
 #include "gw/stages/resolve.h"
-#include "gw/stages/samples.h"
 
 #include <array>
 #include <span>

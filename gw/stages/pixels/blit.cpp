@@ -1,7 +1,7 @@
 #include "gw/stages/pixels/blit.h"
 
 #include "gw/base/arithmetic.h"
-#include "gw/stages/samples.h"
+#include "gw/stages/raster/samples.h"
 #include "gw/stages/texels.h"
 
 #include <vector>

@@ -1,4 +1,4 @@
-#include "gw/stages/samples.h"
+#include "gw/stages/raster/samples.h"
 
 #include "gw/base/arithmetic.h"
 
