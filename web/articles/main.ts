@@ -1,6 +1,7 @@
 // Starts the page. The logs of its runs and its films stand in it, each in a script of its own, and
 // are unpacked when an article needs them.
 import { mount } from 'svelte';
+import '../model/learning_platform';
 import { unpackedPieces } from '../model/packed';
 import { readLog, type Log } from '../model/steps/log';
 import App from './App.svelte';

@@ -1,5 +1,6 @@
 // Starts the lab. The machine has begun in its worker; the page asks it for the first picture.
 import { mount } from 'svelte';
+import '../model/learning_platform';
 import App from './App.svelte';
 import { beginWorker } from './machine/begin_worker';
 import { Machine } from './machine/machine';

@@ -1,4 +1,5 @@
 // The state of the exhibit of exercises in the address, and what it asks the engine.
+import { attempt } from '../../model/learning_platform';
 import type { ExhibitState } from '../exhibit/exhibit';
 
 export interface AskedQuestion {
@@ -23,6 +24,8 @@ export interface QuizChoices {
 }
 
 export const questionCount = 7;
+/** Of the quiz that a learning platform hears of. */
+export const countedSeed = attempt?.address.get('seed') ?? null;
 const mostSeed = 2147483647;
 const whole = (text: string | null, most: number): number => {
   const value = Number(text);
@@ -31,7 +34,7 @@ const whole = (text: string | null, most: number): number => {
 
 export const quizState: ExhibitState<QuizChoices> = {
   from: (parts) => ({
-    seed: whole(parts.get('seed'), mostSeed),
+    seed: whole(parts.get('seed') ?? countedSeed, mostSeed),
     number: whole(parts.get('question'), questionCount),
     kind: parts.get('kind') ?? '',
   }),

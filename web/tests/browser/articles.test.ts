@@ -4,6 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import type { Frame } from 'puppeteer-core';
 import { build } from 'vite';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { knowsPiece, placeOf, runNumber } from '../../articles/bind';
@@ -12,9 +13,10 @@ import { filmNumber, frameOf } from '../../articles/film';
 import { films } from '../../articles/films';
 import { makeFilm } from '../../articles/make_film';
 import { linesOf, stepNameOf } from '../../articles/markup';
-import { articleOf, topics } from '../../articles/topics';
+import { articleOf, models, topics } from '../../articles/topics';
 import { parseLog } from '../../model/steps/log';
 import { Replay } from '../../model/steps/replay';
+import { LearningPlatform, packagesOf } from '../platform';
 import { describePages } from './browser';
 
 const gw = process.env['GW'] ?? '';
@@ -161,6 +163,57 @@ describe.skipIf(gw === '')('the page', () => {
         all.forEach((e) => e.querySelectorAll<HTMLElement>('input[type=radio]')[1]?.click()),
       );
       expect(await pages.textOf('.score')).toBe('2 of 3 solved');
+    });
+
+    it('tells a learning platform score and completion, and goes on at the next visit', async () => {
+      const page = join(out, 'index.html');
+      packagesOf(pages.folder, page, page, '--language', 'ja');
+      const zip = join(pages.folder, 'gw-newell-bsp.zip');
+      const platform = new LearningPlatform(pages.folder, pages.page);
+      const { title, exercises } = articleOf('newell-bsp', 'ja');
+      const solve = async (frame: Frame, number: number): Promise<void> => {
+        const box = (await frame.$$('fieldset'))[number]!;
+        const wanted = exercises[number]!.number?.wanted;
+        if (!wanted) {
+          const right = exercises[number]!.answers.findIndex((answer) => answer.right);
+          return (await box.$$('input[type=radio]'))[right]!.click();
+        }
+        const { look, spots } = models[wanted.figure]!;
+        await (await box.$('input'))!.type(String(look(spots).values[wanted.name]));
+        await pages.page.keyboard.press('Enter');
+      };
+      const told = async (): Promise<string[]> => [
+        await platform.value('cmi.core.score.raw'),
+        await platform.value('cmi.core.lesson_status'),
+      ];
+
+      let frame = await platform.run(zip);
+      await frame.waitForSelector('fieldset');
+      expect(await frame.$eval('h1', (e) => e.textContent)).toBe(title);
+      expect(await frame.$$('header a, main nav')).toEqual([]); // one article, no way out of it
+      expect(await told()).toEqual(['', 'incomplete']);
+      await solve(frame, 0);
+      await solve(frame, 1);
+      expect(await told()).toEqual(['67', 'incomplete']);
+      const kept = await platform.value('cmi.suspend_data');
+      await platform.leave();
+      const names = (await platform.calls()).map(([name]) => name);
+      expect([names[0], names.at(-1)]).toEqual(['LMSInitialize', 'LMSFinish']);
+      expect((await platform.calls()).filter(([, , error]) => error !== '0')).toEqual([]);
+      expect((await platform.calls()).map(([, args]) => args.join('='))).toContain(
+        'cmi.core.exit=suspend',
+      );
+
+      frame = await platform.run(zip, {
+        suspend_data: kept,
+        core: { entry: 'resume', lesson_status: 'incomplete', score: { raw: '67' } },
+      });
+      await frame.waitForSelector('fieldset');
+      expect(await frame.$$eval('legend .done', (all) => all.length)).toBe(2);
+      await solve(frame, 2);
+      expect(await told()).toEqual(['100', 'completed']);
+      await platform.leave();
+      expect((await platform.calls()).filter(([, , error]) => error !== '0')).toEqual([]);
     });
   });
 });

@@ -13,13 +13,13 @@ let complaints: string[];
 export const thePage = (): Page => page;
 
 /** Before each test a new page, or one for all; after it no complaint and no network request. */
-export function inChromium(once = false): void {
+export function inChromium(once = false, ...options: string[]): void {
   const before = once ? beforeAll : beforeEach;
   const after = once ? afterAll : afterEach;
   beforeAll(async () => {
     browser = await puppeteer.launch({
       executablePath: process.env['CHROMIUM'] ?? '/usr/bin/chromium',
-      args: ['--no-sandbox', '--disable-gpu'],
+      args: ['--no-sandbox', '--disable-gpu', ...options],
       protocolTimeout: 600_000,
     });
   });
