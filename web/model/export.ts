@@ -3,7 +3,7 @@ import { applyPalette, GIFEncoder, quantize } from 'gifenc';
 import { withCaption, type Lettering } from './caption';
 
 /** The drawing over the pixels, as one SVG without references. */
-export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string {
+export function drawingOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): SVGSVGElement {
   const svg = overlay.cloneNode(true) as SVGSVGElement;
   const box = overlay.getBoundingClientRect();
   const [, , width = '0', height = '0'] = (svg.getAttribute('viewBox') ?? '').split(' ');
@@ -19,8 +19,11 @@ export function svgOf(canvas: HTMLCanvasElement, overlay: SVGSVGElement): string
   image.setAttribute('height', height);
   image.setAttribute('style', 'image-rendering: pixelated');
   svg.prepend(image);
-  return new XMLSerializer().serializeToString(svg);
+  return svg;
 }
+
+export const svgOf = (canvas: HTMLCanvasElement, overlay: SVGSVGElement): string =>
+  new XMLSerializer().serializeToString(drawingOf(canvas, overlay));
 
 async function rastered(
   canvas: HTMLCanvasElement,

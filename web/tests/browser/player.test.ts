@@ -1,9 +1,12 @@
 // The player in a real browser: Debian's Chromium clicks, drags, types and reads.
-import { writeFileSync } from 'node:fs';
+import { execFileSync } from 'node:child_process';
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { text } from '../sample';
 import { describePages } from './browser';
+
+const scenes = process.env['GW_SCENES'] ?? '';
 
 describePages('the player', (pages) => {
   const open = (logs: readonly string[], hash = '') => pages.open('player', logs, hash);
@@ -161,6 +164,50 @@ describePages('the player', (pages) => {
     await (await pages.page.$('.exports ::-p-text(Save)'))!.click();
     expect(await (await savedAt(2)).jsonValue()).toMatchObject({ head: 'GIF89' });
   });
+
+  it('prints a slide for each decisive step and the end, and is then as before', async () => {
+    await open([text()], '#step=1&lang=en');
+    await pages.page.evaluate(() => {
+      window.print = () => {
+        const decks = [...document.querySelectorAll('.deck > svg')];
+        Object.assign(window, { printed: decks.map((e) => e.getAttribute('aria-label')) });
+      };
+    });
+    await pages.page.click('button.slides');
+    await pages.page.waitForFunction(() => 'printed' in window);
+    expect(await pages.page.evaluate('printed')).toEqual([
+      'Newell, Newell, Sancha 1 600.5, 600.5 is behind 2.',
+      'Newell, Newell, Sancha 2 cuts 1.',
+      'Newell, Newell, Sancha 2: 80 pixels.',
+    ]);
+    await pages.page.evaluate(() => dispatchEvent(new Event('afterprint')));
+    expect(await pages.page.$$('.deck')).toEqual([]);
+    expect(await pages.textOf('.bar output')).toBe('1 of 5');
+  });
+
+  it.skipIf(scenes === '')(
+    'becomes a PDF and SVGs by scripts/slides, in the language asked for',
+    async () => {
+      await open([text()]);
+      const player = join(pages.folder, 'player.html');
+      const out = join(pages.folder, 'slides');
+      execFileSync(join(scenes, '../scripts/slides'), [player, out, '--language', 'ja']);
+      expect(readdirSync(out).sort()).toEqual([
+        'slide_01.svg',
+        'slide_02.svg',
+        'slide_03.svg',
+        'slides.pdf',
+      ]);
+      const pdf = readFileSync(join(out, 'slides.pdf'), 'latin1');
+      expect(pdf.match(/\/Type\s*\/Page\b/g)).toHaveLength(3);
+      expect(readFileSync(join(out, 'slide_03.svg'), 'utf8')).toContain('2：80 画素。');
+      await pages.page.goto(`file://${join(out, 'slide_02.svg')}`);
+      const size = await pages.page.$eval('svg', (e) => e.getBoundingClientRect().toJSON());
+      expect(size).toMatchObject({ width: 1280, height: 720 });
+      expect(await pages.page.$$eval('image', (all) => all.length)).toBe(1);
+    },
+    300_000,
+  );
 
   it('asks for a file if it has no log, and says what is wrong with one', async () => {
     await open([], '#lang=en');
