@@ -5,7 +5,7 @@ const longWork = 400; // milliseconds
 export class RequestLoop<Request> {
   /** The work takes so long that the visitor should know. */
   busy = $state(false);
-  /** '': the last request was answered. */
+  /** '': the last request was answered, or is worked on. */
   problem = $state('');
   /** The request that was made last. */
   latest: Request | undefined;
@@ -33,9 +33,9 @@ export class RequestLoop<Request> {
 
   private async workOn(request: Request): Promise<void> {
     const late = setTimeout(() => (this.busy = true), longWork);
+    this.problem = '';
     try {
       await this.work(request);
-      this.problem = '';
     } catch (error) {
       this.problem = (error as Error).message;
     } finally {

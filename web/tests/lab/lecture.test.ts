@@ -50,14 +50,15 @@ describe("the lecture's links into the lab", () => {
   inChromium();
   it.each(everyLink)('opens %s', async (link) => {
     await open(link);
-    await thePage().waitForSelector('canvas');
-    expect(await thePage().$('[role=alert]')).toBeNull();
     const wanted = parts(link);
+    const isQuiz = wanted.get('exhibit') === 'quiz'; // it has scenes of its own
+    await thePage().waitForSelector(isQuiz ? '.quiz svg, .quiz canvas' : 'canvas');
+    expect(await thePage().$('[role=alert]')).toBeNull();
     const shown = await thePage().evaluate(() => ({
       exhibit: new URLSearchParams(location.hash.slice(1)).get('exhibit'),
       language: document.documentElement.lang,
-      scene: document.querySelector<HTMLSelectElement>('select.scene')!.value,
-      size: document.querySelector<HTMLSelectElement>('select.size')!.value,
+      scene: document.querySelector<HTMLSelectElement>('select.scene')?.value,
+      size: document.querySelector<HTMLSelectElement>('select.size')?.value,
       algorithms: [...document.querySelectorAll<HTMLSelectElement>('select.algorithm')]
         .map((select) => select.value)
         .filter((name) => name !== ''),
