@@ -219,6 +219,37 @@ void get_queryiv(Context& context, GLenum target, GLenum pname, GLint* params);
 void get_query_objectiv(Context& context, GLuint id, GLenum pname, GLint* params);
 void get_query_objectuiv(Context& context, GLuint id, GLenum pname, GLuint* params);
 
+// Framebuffer objects: GL_ARB_framebuffer_object
+void gen_framebuffers(Context& context, GLsizei n, GLuint* framebuffers);
+void gen_renderbuffers(Context& context, GLsizei n, GLuint* renderbuffers);
+void delete_framebuffers(Context& context, GLsizei n, const GLuint* framebuffers);
+void delete_renderbuffers(Context& context, GLsizei n, const GLuint* renderbuffers);
+GLboolean is_framebuffer(Context& context, GLuint framebuffer);
+GLboolean is_renderbuffer(Context& context, GLuint renderbuffer);
+void bind_framebuffer(Context& context, GLenum target, GLuint framebuffer);
+void bind_renderbuffer(Context& context, GLenum target, GLuint renderbuffer);
+/// The names may be any: GL_EXT_framebuffer_object
+void bind_new_framebuffer(Context& context, GLenum target, GLuint framebuffer);
+void bind_new_renderbuffer(Context& context, GLenum target, GLuint renderbuffer);
+void renderbuffer_storage(Context& context, GLenum target, GLsizei samples, GLenum internal_format,
+                          GLsizei width, GLsizei height);
+void get_renderbuffer_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params);
+GLenum check_framebuffer_status(Context& context, GLenum target);
+void framebuffer_texture_1d(Context& context, GLenum target, GLenum attachment, GLenum textarget,
+                            GLuint texture, GLint level);
+void framebuffer_texture_2d(Context& context, GLenum target, GLenum attachment, GLenum textarget,
+                            GLuint texture, GLint level);
+void framebuffer_texture_3d(Context& context, GLenum target, GLenum attachment, GLenum textarget,
+                            GLuint texture, GLint level, GLint layer);
+void framebuffer_renderbuffer(Context& context, GLenum target, GLenum attachment,
+                              GLenum renderbuffertarget, GLuint renderbuffer);
+void get_framebuffer_attachment_parameteriv(Context& context, GLenum target, GLenum attachment,
+                                            GLenum pname, GLint* params);
+void blit_framebuffer(Context& context, GLint src_x0, GLint src_y0, GLint src_x1, GLint src_y1,
+                      GLint dst_x0, GLint dst_y0, GLint dst_x1, GLint dst_y1, GLbitfield mask,
+                      GLenum filter);
+void generate_mipmap(Context& context, GLenum target);
+
 // 4.2 Whole framebuffer operations
 void draw_buffer(Context& context, GLenum mode);
 void index_mask(Context& context, GLuint mask);

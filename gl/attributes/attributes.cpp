@@ -75,6 +75,20 @@ void copy_client_groups(ClientState& to, const ClientState& from, GLbitfield mas
     }
 }
 
+bool is_of_object(GLenum buffer) { return buffer == GL_COLOR_ATTACHMENT0 || buffer == GL_NONE; }
+
+/// The buffers are those of the bound framebuffers, which may not be those that were bound when the
+/// attributes were pushed.
+void keep_buffers(Context& context, GLenum draw, GLenum read) {
+    const Framebuffers& f = context.framebuffers;
+    GLenum& now_draw = context.state.color_buffer.draw_buffer;
+    GLenum& now_read = context.state.pixel.read_buffer;
+    if (f.draw ? !is_of_object(now_draw) : now_draw == GL_COLOR_ATTACHMENT0) now_draw = draw;
+    if (f.read ? !is_of_object(now_read) : now_read == GL_COLOR_ATTACHMENT0) now_read = read;
+    if (f.draw) f.draw->draw_buffer = now_draw;
+    if (f.read) f.read->read_buffer = now_read;
+}
+
 }  // namespace
 
 void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
@@ -117,7 +131,10 @@ void pop_attrib(Context& context) {
     const SavedAttributes saved = std::move(context.attribute_stack.back());
     context.attribute_stack.pop_back();
     if (saved.mask & GL_TEXTURE_BIT) restore_textures(context, saved);
+    const GLenum draw = context.state.color_buffer.draw_buffer,
+                 read = context.state.pixel.read_buffer;
     copy_groups(context.state, saved.state, saved.mask);
+    keep_buffers(context, draw, read);
     if (saved.mask & GL_ENABLE_BIT) restore_enables(context.state, saved);
     track_color(context);
 }

@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/finish.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 namespace gw::gl {
 
@@ -23,13 +24,19 @@ constexpr GLbitfield all_buffers =
 
 bool is_auxiliary(GLenum mode) { return mode >= GL_AUX0 && mode <= GL_AUX3; }
 
+/// The buffers that a framebuffer object has.
+bool is_attached(GLenum mode) { return mode == GL_NONE || mode == GL_COLOR_ATTACHMENT0; }
+bool is_attachment(GLenum mode) {
+    return mode >= GL_COLOR_ATTACHMENT0 && mode <= GL_COLOR_ATTACHMENT0 + 31;
+}
+
 /// Whether the drawable has one of the buffers: there are no right ones, no auxiliary ones, and a
 /// back buffer only with two.
 bool names_a_buffer(const Context& context, GLenum mode) {
     if (is_auxiliary(mode) || mode == GL_RIGHT || mode == GL_FRONT_RIGHT || mode == GL_BACK_RIGHT)
         return false;
-    const bool is_double = context.drawable != nullptr && context.drawable->is_double_buffered();
-    return is_double || (mode != GL_BACK && mode != GL_BACK_LEFT);
+    const bool is_double = context.window != nullptr && context.window->is_double_buffered();
+    return !is_attachment(mode) && (is_double || (mode != GL_BACK && mode != GL_BACK_LEFT));
 }
 
 }  // namespace
@@ -44,15 +51,19 @@ void sample_coverage(Context& context, GLclampf value, GLboolean invert) {
 void clear(Context& context, GLbitfield mask) {
     if (mask & ~all_buffers) return set_error(context, GL_INVALID_VALUE);
     flush_mesh(context);
-    if (mask == 0 || context.selection.mode != GL_RENDER) return;
-    submit_command(context, gw::Clear{planes_of(mask), context.state.color_buffer.clear,
-                                      context.state.depth.clear, context.state.stencil.clear,
-                                      context.state.accum.clear});
+    if (!can_draw(context)) return;
+    const PlaneMask planes = planes_of(mask) & drawn_planes(context);
+    if (planes == 0 || context.selection.mode != GL_RENDER) return;
+    submit_command(context,
+                   gw::Clear{planes, context.state.color_buffer.clear, context.state.depth.clear,
+                             context.state.stencil.clear, context.state.accum.clear});
 }
 
 void accum(Context& context, GLenum op, GLfloat value) {
     if (op < GL_ACCUM || op > GL_ADD) return set_error(context, GL_INVALID_ENUM);
     flush_mesh(context);
+    if (!can_draw(context)) return;
+    if (context.framebuffers.draw) return set_error(context, GL_INVALID_OPERATION);
     if (context.selection.mode != GL_RENDER) return;
     constexpr std::array operations{AccumOp::Accum, AccumOp::Load, AccumOp::Return, AccumOp::Mult,
                                     AccumOp::Add};
@@ -61,16 +72,24 @@ void accum(Context& context, GLenum op, GLfloat value) {
 
 void draw_buffer(Context& context, GLenum mode) {
     const bool known = mode == GL_NONE || mode == GL_FRONT_AND_BACK || is_auxiliary(mode) ||
-                       (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
+                       (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT) ||
+                       (is_attachment(mode) && context.profile.extensions.surfaces);
     if (!known) return set_error(context, GL_INVALID_ENUM);
-    if (!names_a_buffer(context, mode)) return set_error(context, GL_INVALID_OPERATION);
+    const bool has = context.framebuffers.draw ? is_attached(mode) : names_a_buffer(context, mode);
+    if (!has) return set_error(context, GL_INVALID_OPERATION);
+    if (context.framebuffers.draw) context.framebuffers.draw->draw_buffer = mode;
     change(context, context.state.color_buffer.draw_buffer, mode);
 }
 
 void read_buffer(Context& context, GLenum mode) {
-    const bool known = is_auxiliary(mode) || (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT);
+    const bool known =
+        is_auxiliary(mode) || (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT) ||
+        ((mode == GL_NONE || is_attachment(mode)) && context.profile.extensions.surfaces);
     if (!known) return set_error(context, GL_INVALID_ENUM);
-    if (!names_a_buffer(context, mode)) return set_error(context, GL_INVALID_OPERATION);
+    const bool has = context.framebuffers.read ? is_attached(mode)
+                                               : mode == GL_NONE || names_a_buffer(context, mode);
+    if (!has) return set_error(context, GL_INVALID_OPERATION);
+    if (context.framebuffers.read) context.framebuffers.read->read_buffer = mode;
     change(context, context.state.pixel.read_buffer, mode);
 }
 

@@ -70,10 +70,11 @@ void depth_range(Context& context, GLclampd near_value, GLclampd far_value) {
 void viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height) {
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
     ViewportState& s = context.state.viewport;
+    const int largest = largest_viewport(context.profile);
     change(context, s.x, std::clamp(x, -max_window_size, max_window_size));
     change(context, s.y, std::clamp(y, -max_window_size, max_window_size));
-    change(context, s.width, std::min(width, max_window_size));
-    change(context, s.height, std::min(height, max_window_size));
+    change(context, s.width, std::min(width, largest));
+    change(context, s.height, std::min(height, largest));
 }
 
 void matrix_mode(Context& context, GLenum mode) {

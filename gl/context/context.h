@@ -7,8 +7,10 @@
 #include "gl/context/query_objects.h"
 #include "gl/drawable/call_trace.h"
 #include "gl/drawable/drawable.h"
+#include "gl/drawable/off_screen.h"
 #include "gl/state/client.h"
 #include "gl/state/evaluators.h"
+#include "gl/state/framebuffer_objects.h"
 #include "gl/state/list_names.h"
 #include "gl/state/matrices.h"
 #include "gl/state/selection.h"
@@ -33,9 +35,11 @@ struct Shared {
     }
 
     std::recursive_mutex mutex;
+    std::shared_ptr<OffScreen> off_screen;  ///< null: no framebuffer object was bound yet
     ListNames lists;
     TextureNames textures;
     BufferNames buffers;
+    RenderbufferNames renderbuffers;
 };
 
 /// An entry of the attribute stack: the groups of the state that PushAttrib copies. [GL11] 6.1.10
@@ -70,18 +74,25 @@ struct Context {
     std::vector<SavedClientState> client_stack;
     OpenList lists;
     BoundTextures textures;
+    Framebuffers framebuffers;
     Selection selection;
     QueryObjects queries;
     Assembler assembler;
     MeshCache meshes;
     TranslatedState translated;
     CallTrace calls;
-    Drawable* drawable = nullptr;
-    Drawable* read_drawable = nullptr;  ///< of ReadPixels and of copies; both null or none
+    /// The framebuffer 0, to draw to and to read from; both null or none.
+    Drawable *window = nullptr, *read_window = nullptr;
+    /// These, or the machine of the framebuffer objects that are bound.
+    Drawable *drawable = nullptr, *read_drawable = nullptr;
     bool has_been_current = false;
     GLenum error = GL_NO_ERROR;
 };
 
+/// The largest side of a viewport: that of a surface, or of a window.
+inline int largest_viewport(const Profile& profile) {
+    return profile.extensions.surfaces ? max_surface_size : max_window_size;
+}
 /// The units that a profile has.
 inline std::size_t unit_count(const Profile& profile) {
     return profile.extensions.texture_units ? texture_unit_count : 1;

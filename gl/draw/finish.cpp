@@ -2,18 +2,22 @@
 
 #include "gl/context/current.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 namespace gw::gl {
 
 void finish_drawing(Context& context, Cause cause) {
     flush_mesh(context);
-    if (context.drawable == nullptr) return;
-    if (context.drawable->finish(cause)) context.calls.next = 0;
+    bool ended = false;
+    if (context.shared->off_screen) ended |= context.shared->off_screen->finish(cause);
+    if (context.window != nullptr) ended |= context.window->finish(cause);
+    if (ended) context.calls.next = 0;
     context.meshes.begin_frame();
 }
 
 void finish_frame(Context& context) {
     flush_mesh(context);
+    if (context.shared->off_screen) context.shared->off_screen->finish(Cause::Shown);
     context.meshes.begin_frame();
     context.calls.next = 0;
 }
@@ -32,7 +36,14 @@ SampleCountRef active_count(const Context& context) {
 void leave(Context& context) {
     finish_drawing(context, Cause::Switch);
     if (const SampleCountRef count = active_count(context)) context.drawable->end_count(count);
-    if (context.drawable != nullptr) context.drawable->finish_counts();
+    finish_counts(context);
+}
+
+/// [GL11] tables 6.15 and 6.17. A context without a window may have bound framebuffer objects.
+void begin_with_back_buffers(Context& context) {
+    Framebuffers& f = context.framebuffers;
+    (f.draw ? f.window_draw_buffer : context.state.color_buffer.draw_buffer) = GL_BACK;
+    (f.read ? f.window_read_buffer : context.state.pixel.read_buffer) = GL_BACK;
 }
 
 }  // namespace
@@ -41,14 +52,14 @@ void make_current(Context* context, Drawable* draw, Drawable* read) {
     if (current != nullptr) guarded(*current, [] { leave(*current); });
     current = context;
     if (context == nullptr) return;
-    context->drawable = draw;
-    context->read_drawable = read;
+    context->window = draw;
+    context->read_window = read;
+    context->drawable = nullptr;  // leave() has ended the query in the former one
+    choose_drawables(*context);
     context->translated.changed = true;
-    if (const SampleCountRef count = active_count(*context)) draw->begin_count(count);
     if (draw == nullptr || context->has_been_current) return;
     context->has_been_current = true;
-    if (draw->is_double_buffered())
-        context->state.color_buffer.draw_buffer = context->state.pixel.read_buffer = GL_BACK;
+    if (draw->is_double_buffered()) begin_with_back_buffers(*context);
     context->state.viewport.width = context->state.scissor.box.width = draw->width();
     context->state.viewport.height = context->state.scissor.box.height = draw->height();
 }

@@ -5,6 +5,7 @@
 
 #include "gw/base/elementary.h"
 #include "gw/describe/opengl.h"
+#include "gw/stages/resolve.h"
 #include "gw/stages/vertex.h"
 
 #include <algorithm>
@@ -276,7 +277,28 @@ DrawBuffer draw_buffer(GLenum mode) {
     return DrawBuffer::Front;
 }
 
+/// Drawing leaves alone what a framebuffer object lacks. [R16.3] does so for planes that its surface
+/// lacks; it may have more, or be larger.
+void set_attachments(gw::State& out, const Context& context) {
+    const Framebuffer& f = *context.framebuffers.draw;
+    const auto color = attached_image(f.at(Plane::Color));
+    if (!color || context.state.color_buffer.draw_buffer == GL_NONE)
+        out.color_mask = {false, false, false, false};
+    else if (base_format(color->internal_format) == GL_RGB)
+        out.color_mask.a = false;
+    if (!f.at(Plane::Depth).is_given()) out.depth.test = out.depth.mask = false;
+    if (!f.at(Plane::Stencil).is_given()) {
+        out.stencil.test = false;
+        out.stencil.write_mask = 0;
+    }
+    const FramebufferSize size = size_of(f);
+    if (has_one_size(f)) return;
+    const Rect all{0, 0, size.width, size.height};
+    out.scissor = {true, out.scissor.test ? intersect(out.scissor.box, all) : all};
+}
+
 void set_buffers(gw::State& out, const Context& context) {
+    if (context.framebuffers.draw) return set_attachments(out, context);
     const GLenum draw = context.state.color_buffer.draw_buffer,
                  read = context.state.pixel.read_buffer;
     if (context.drawable != nullptr && context.drawable->has_back_plane()) {

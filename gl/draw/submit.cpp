@@ -3,6 +3,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/machine_state.h"
 #include "gl/draw/report.h"
+#include "gl/draw/targets.h"
 #include "gw/base/leaked_static.h"
 
 #include <algorithm>
@@ -55,6 +56,7 @@ TextureRef enabled_texture(Context& context, std::size_t unit) {
     const auto target = enabled_target(context.state.texture.units[unit]);
     if (!target) return nullptr;
     TextureObject& object = *context.textures.bound[unit][*target];
+    if (!object.rendered.empty()) update_texels(context, object);
     TextureRef texture;
     std::size_t new_bytes = 0;
     {
@@ -86,6 +88,7 @@ Draw make_draw(Context& context, MeshRef mesh, const AssembledVertex& values,
     draw.current = shared_values({values.color, values.normal, values.texcoord,
                                   values.secondary_color, values.fog_coordinate, further});
     draw.lights = context.translated.lights;
+    if (context.framebuffers.draw) return draw;  // submit_command() knows the planes
     draw.map.texture = enabled_texture(context);
     draw.more_maps = further_textures(context);
     return draw;
@@ -110,10 +113,38 @@ bool submit_state(Context& context, std::span<const CallRun> calls) {
     return true;
 }
 
+namespace {
+
+/// The textures of a draw to a framebuffer object.
+template <class Drawing>
+void bind_planes(Context& context, Drawing& command) {
+    command.map = plane_or_texels(context, 0);
+    if (!context.state.texture.uses_further_units()) return;
+    MoreBindings more;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        more[unit - 1] = plane_or_texels(context, unit);
+    command.more_maps = std::make_shared<const MoreBindings>(std::move(more));
+}
+
+/// Makes the surface of the framebuffer object ready for a command.
+void use_object(Context& context, Command& command) {
+    use_draw_surface(context);
+    if (auto* draw = std::get_if<Draw>(&command)) bind_planes(context, *draw);
+    if (auto* pixels = std::get_if<gw::DrawPixels>(&command)) bind_planes(context, *pixels);
+    use_draw_surface(context);  // texels may have been read meanwhile
+    note_drawing(context);
+}
+
+}  // namespace
+
 void submit_command(Context& context, Command command, std::vector<CallRun> calls) {
     if (context.drawable == nullptr) return;
     if (calls.empty()) calls = present_call(context);
-    const auto lock = context.drawable->exclusive();
+    const TargetLock lock = lock_target(context, *context.drawable);
+    if (context.framebuffers.draw) {
+        if (!is_draw_complete(context)) return;
+        use_object(context, command);
+    }
     submit_state(context, std::span(calls).first(std::min<std::size_t>(calls.size(), 1)));
     context.drawable->add(std::move(command), calls);
 }

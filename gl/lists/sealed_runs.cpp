@@ -2,6 +2,7 @@
 
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 namespace gw::gl {
 
@@ -57,7 +58,7 @@ std::vector<CallRun> played_calls(const Context& context, const SealedRuns::Part
 }  // namespace
 
 bool draw_runs(Context& context, SealedRuns& runs) {
-    if (context.assembler.inside ||
+    if (context.assembler.inside || !is_draw_complete(context) ||
         (runs.has_line_strips &&
          (context.state.line.stipple || context.selection.mode == GL_FEEDBACK)) ||
         (!runs.given.edge_flag && !context.state.current.edge_flag))

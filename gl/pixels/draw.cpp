@@ -4,6 +4,7 @@
 #include "gl/context/context.h"
 #include "gl/draw/report.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/pieces.h"
 #include "gl/pixels/read.h"
@@ -19,11 +20,17 @@ namespace gw::gl {
 
 namespace {
 
+/// Of depths of fragments, also where no plane keeps them.
+int fragment_depth_bits(const Context& context) {
+    const int bits = draw_depth_bits(context);
+    return bits != 0 ? bits : context.profile.depth_bits;
+}
+
 RasterPosition raster_position(const Context& context) {
     const CurrentState::Raster& raster = context.state.current.raster;
     return {.x = raster.position.x,
             .y = raster.position.y,
-            .depth = quantize(raster.position.z, context.profile.depth_bits),
+            .depth = quantize(raster.position.z, fragment_depth_bits(context)),
             .color = quantize_color(raster.color, context.profile.color_bits),
             .texcoord = raster.texcoord,
             .distance = std::max(raster.distance, 0.0),
@@ -41,6 +48,7 @@ gw::DrawPixels rectangle(Context& context, GLsizei width, GLsizei height) {
     out.raster = raster_position(context);
     out.zoom_x = context.state.pixel.zoom_x;
     out.zoom_y = context.state.pixel.zoom_y;
+    if (context.framebuffers.draw) return out;  // submit_command() knows the planes
     out.map.texture = enabled_texture(context);
     out.more_maps = further_textures(context);
     return out;
@@ -55,7 +63,7 @@ bool is_nameable(const Rect& r) {
 
 /// Whether a rectangle draws: not in feedback, which gets `token`, nor in selection.
 bool is_drawn(Context& context, GLenum token) {
-    if (!context.state.current.raster.valid) return false;
+    if (!can_draw(context) || !context.state.current.raster.valid) return false;
     flush_mesh(context);
     if (context.selection.mode == GL_RENDER) return context.drawable != nullptr;
     report_raster_position(context, token);
@@ -64,7 +72,7 @@ bool is_drawn(Context& context, GLenum token) {
 
 void set_depths(gw::DrawPixels& out, const Context& context, const std::vector<double>& depths) {
     for (const double depth : depths)
-        out.depths.push_back(quantize(depth, context.profile.depth_bits));
+        out.depths.push_back(quantize(depth, fragment_depth_bits(context)));
 }
 void set_stencils(gw::DrawPixels& out, const Context& context,
                   const std::vector<GLuint>& stencils) {
@@ -77,6 +85,12 @@ bool is_identity(const PixelState& s, Plane plane) {
     if (plane == Plane::Depth) return s.depth_scale == 1 && s.depth_bias == 0;
     if (plane == Plane::Stencil) return s.index_shift == 0 && s.index_offset == 0 && !s.map_stencil;
     return leaves_colors(s);
+}
+
+/// Whether the machine has what is read where it draws.
+bool reads_what_it_draws(const Context& context) {
+    return context.read_drawable == context.drawable &&
+           context.framebuffers.read == context.framebuffers.draw;
 }
 
 /// The pixels of a copy, read and transferred by the front end.
@@ -175,16 +189,28 @@ void draw_depths_and_stencils(Context& context, GLsizei width, GLsizei height,
 
 /// Pixels outside the window are not drawn, so they can be left out.
 void copy_plane(Context& context, Plane plane, const Rect& whole) {
-    const Rect rect = is_nameable(whole) ? whole : part_inside(*context.read_drawable, whole);
+    const Rect rect = is_nameable(whole) ? whole : part_inside(context, whole);
     if (rect.area() == 0) return;
     gw::DrawPixels out = rectangle(context, rect.width, rect.height);
     out.raster.x += out.zoom_x * (double(rect.x) - double(whole.x));
     out.raster.y += out.zoom_y * (double(rect.y) - double(whole.y));
-    if (is_identity(context.state.pixel, plane))
+    if (is_identity(context.state.pixel, plane) && reads_what_it_draws(context))
         out.source = PixelSource{plane, rect.x, rect.y};
     else
         set_transferred(out, context, plane, rect);
     add_rectangle(context, std::move(out));
+}
+
+/// Whether the framebuffers have the planes of a copy.
+bool can_copy(Context& context, GLenum type) {
+    if (!can_draw(context)) return false;
+    const auto has = [&](Plane plane) {
+        const bool draws = (drawn_planes(context) & mask_of(plane)) != 0;
+        if (!draws && plane != Plane::Color) set_error(context, GL_INVALID_OPERATION);
+        return (draws || plane == Plane::Color) && can_read(context, plane);
+    };
+    if (type == GL_COLOR) return has(Plane::Color);
+    return (type == GL_STENCIL || has(Plane::Depth)) && (type == GL_DEPTH || has(Plane::Stencil));
 }
 
 }  // namespace
@@ -212,7 +238,7 @@ void bitmap(Context& context, GLsizei width, GLsizei height, float xorig, float 
             float ymove, const HostImage& image) {
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
     CurrentState::Raster& raster = context.state.current.raster;
-    if (!raster.valid || image.is_refused) return;
+    if (!can_draw(context) || !raster.valid || image.is_refused) return;
     if (is_drawn(context, GL_BITMAP_TOKEN) && image.is_given()) {
         gw::DrawPixels out = rectangle(context, width, height);
         out.raster.x = std::floor(raster.position.x - finite(double(xorig)));
@@ -230,7 +256,9 @@ void copy_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heig
     if (type != GL_COLOR && type != GL_DEPTH && type != GL_STENCIL && type != GL_DEPTH_STENCIL)
         return set_error(context, GL_INVALID_ENUM);
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
-    if (!is_drawn(context, GL_COPY_PIXEL_TOKEN) || width == 0 || height == 0) return;
+    if (!can_copy(context, type) || !is_drawn(context, GL_COPY_PIXEL_TOKEN) || width == 0 ||
+        height == 0)
+        return;
     const Rect rect{x, y, width, height};
     if (type == GL_COLOR) return copy_plane(context, Plane::Color, rect);
     if (type != GL_DEPTH) copy_plane(context, Plane::Stencil, rect);

@@ -3,6 +3,7 @@
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
 #include "gl/pixels/transfer.h"
@@ -22,8 +23,11 @@ void place(std::vector<T>& out, const Rect& rect, const Rect& inside, Value valu
             out[rect.index(x, y)] = value(inside.index(x, y));
 }
 
-/// Sends the read buffer to the drawable that is read.
-void submit_read_buffer(Context& context) {
+/// Sends the read buffer, or the surface, to the drawable that is read.
+void select_plane(Context& context, Plane plane) {
+    if (context.framebuffers.read)
+        return context.shared->off_screen->use(read_surface(context, plane));
+    if (plane != Plane::Color) return;
     if (context.read_drawable == context.drawable) {
         submit_state(context);
         return;
@@ -40,9 +44,10 @@ void submit_read_buffer(Context& context) {
 /// The colours of a rectangle, 8 bits a channel; 0 outside the drawable.
 std::vector<std::uint32_t> read_words(Context& context, const Rect& rect, Cause cause) {
     std::vector<std::uint32_t> out(rect.area(), 0);
-    const Rect inside = part_inside(*context.read_drawable, rect);
+    const Rect inside = part_inside(context, rect);
     if (inside.area() == 0) return out;
-    submit_read_buffer(context);
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    select_plane(context, Plane::Color);
     if (inside == rect) {
         context.read_drawable->read_packed(rect, cause, out);
         return out;
@@ -67,10 +72,11 @@ bool is_read_as_bytes(const Context& context, GLenum format, GLenum type) {
 void read_bytes(Context& context, const Rect& rect, GLenum format, std::byte* out) {
     const bool is_words = (format == GL_RGBA || format == GL_BGRA) &&
                           reinterpret_cast<std::uintptr_t>(out) % alignof(std::uint32_t) == 0;
-    if (!is_words || part_inside(*context.read_drawable, rect) != rect)
+    if (!is_words || part_inside(context, rect) != rect)
         return pack_bytes(context, read_words(context, rect, Cause::Read), format, out);
     const std::span words(reinterpret_cast<std::uint32_t*>(out), rect.area());
-    submit_read_buffer(context);
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    select_plane(context, Plane::Color);
     context.read_drawable->read_packed(rect, Cause::Read, words);
     pack_bytes(context, words, format, out);
 }
@@ -97,23 +103,42 @@ std::vector<std::byte> packed_pairs(Context& context, const Rect& rect) {
     return packed_depths_and_stencils(out);
 }
 
+/// Whether what is read has the planes of a format.
+bool has_planes(Context& context, GLenum format) {
+    switch (format) {
+        case GL_DEPTH_COMPONENT: return can_read(context, Plane::Depth);
+        case GL_STENCIL_INDEX: return can_read(context, Plane::Stencil);
+        case GL_DEPTH_STENCIL:
+            return can_read(context, Plane::Depth) && can_read(context, Plane::Stencil);
+    }
+    return can_read(context, Plane::Color);
+}
+
 }  // namespace
 
-Rect part_inside(const Drawable& drawable, const Rect& r) {
+Rect part_inside(const Context& context, const Rect& r) {
     const auto clip = [](std::int64_t low, std::int64_t size, int limit) {
         const std::int64_t begin = std::clamp<std::int64_t>(low, 0, limit);
         return std::pair(int(begin), int(std::clamp<std::int64_t>(low + size, 0, limit) - begin));
     };
-    const auto [x, width] = clip(r.x, r.width, drawable.width());
-    const auto [y, height] = clip(r.y, r.height, drawable.height());
+    const FramebufferSize size = read_size(context);
+    const auto [x, width] = clip(r.x, r.width, size.width);
+    const auto [y, height] = clip(r.y, r.height, size.height);
     return {x, y, width, height};
+}
+
+Readback read_raw(Context& context, Plane plane, const Rect& rect) {
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    select_plane(context, plane);
+    return context.read_drawable->read(plane, rect, Cause::Copy);
 }
 
 std::vector<vec4> read_colors(Context& context, const Rect& rect, Cause cause) {
     std::vector<vec4> out(rect.area(), vec4(0));
-    const Rect inside = part_inside(*context.read_drawable, rect);
+    const Rect inside = part_inside(context, rect);
     if (inside.area() == 0) return out;
-    submit_read_buffer(context);
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    select_plane(context, Plane::Color);
     const Readback read = context.read_drawable->read(Plane::Color, inside, cause);
     const auto scale = float(largest(context.read_drawable->profile().color_bits));
     place(out, rect, inside, [&](std::size_t i) {
@@ -133,12 +158,13 @@ std::vector<Rgba> read_rgba(Context& context, const Rect& rect, Cause cause, int
 }
 
 std::vector<double> read_values(Context& context, Plane plane, const Rect& rect, Cause cause) {
-    const Rect inside = part_inside(*context.read_drawable, rect);
+    const Rect inside = part_inside(context, rect);
     if (inside.area() == 0) return std::vector(rect.area(), 0.0);
     std::vector<std::uint32_t> read(inside.area());
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    select_plane(context, plane);
     context.read_drawable->read_values(plane, inside, cause, read);
-    const double scale =
-        plane == Plane::Depth ? largest(context.read_drawable->profile().depth_bits) : 1.0;
+    const double scale = plane == Plane::Depth ? largest(read_depth_bits(context)) : 1.0;
     std::vector<double> values(read.size());
     for (std::size_t i = 0; i < read.size(); ++i) values[i] = double(read[i]) / scale;
     if (inside == rect) return values;
@@ -154,6 +180,7 @@ void read_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heig
     if (width < 0 || height < 0) return set_error(context, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
     if (format == GL_COLOR_INDEX) return set_error(context, GL_INVALID_OPERATION);
+    if (!has_planes(context, format)) return;
     if (context.read_drawable == nullptr || width == 0 || height == 0) return;
     const PixelStore& store = context.client.pack;
     const auto lock =

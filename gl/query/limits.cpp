@@ -1,13 +1,47 @@
 #include "gl/query/limits.h"
 
 #include "gl/context/context.h"
+#include "gl/draw/targets.h"
 
 namespace gw::gl {
 
 namespace {
 
+/// The bits of what is drawn to.
+struct DrawBits {
+    int color, alpha, stencil;
+};
+DrawBits draw_bits(const Context& context) {
+    const Profile& p = context.profile;
+    const FramebufferRef& framebuffer = context.framebuffers.draw;
+    if (!framebuffer) return {p.color_bits, p.color_bits, p.stencil_bits};
+    const auto color = attached_image(framebuffer->at(Plane::Color));
+    const auto stencil = attached_image(framebuffer->at(Plane::Stencil));
+    return {color ? p.color_bits : 0,
+            color && base_format(color->internal_format) == GL_RGBA ? p.color_bits : 0,
+            stencil ? p.stencil_bits : 0};
+}
+
+GLuint name_of(const FramebufferRef& framebuffer) { return framebuffer ? framebuffer->name : 0; }
+
 /// The step of sizes and widths with antialiasing.
 double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x1p-11 : 1; }
+
+void add_framebuffer_objects(StateVariables& t) {
+    t[GL_MAX_RENDERBUFFER_SIZE] = [](Context&) { return whole(max_surface_size); };
+    t[GL_MAX_COLOR_ATTACHMENTS] = [](Context&) { return whole(1); };
+    t[GL_MAX_SAMPLES] = [](Context& context) { return whole(max_samples(context)); };
+    t[GL_DRAW_FRAMEBUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.framebuffers.draw));
+    };
+    t[GL_READ_FRAMEBUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.framebuffers.read));
+    };
+    t[GL_RENDERBUFFER_BINDING] = [](Context& context) {
+        const RenderbufferRef& bound = context.framebuffers.renderbuffer;
+        return whole(bound ? bound->name : 0u);
+    };
+}
 
 }  // namespace
 
@@ -42,7 +76,10 @@ void add_limits(StateVariables& t) {
     t[GL_MAX_NAME_STACK_DEPTH] = [](Context&) { return whole(name_stack_depth); };
     t[GL_MAX_LIST_NESTING] = [](Context&) { return whole(max_list_nesting); };
     t[GL_MAX_EVAL_ORDER] = [](Context&) { return whole(max_eval_order); };
-    t[GL_MAX_VIEWPORT_DIMS] = [](Context&) { return wholes(max_window_size, max_window_size); };
+    t[GL_MAX_VIEWPORT_DIMS] = [](Context& context) {
+        const int side = largest_viewport(context.profile);
+        return wholes(side, side);
+    };
     t[GL_MAX_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(attribute_stack_depth); };
     t[GL_MAX_CLIENT_ATTRIB_STACK_DEPTH] = [](Context&) { return whole(client_stack_depth); };
     t[GL_SUBPIXEL_BITS] = [](Context& context) { return whole(context.profile.subpixel_bits); };
@@ -63,16 +100,21 @@ void add_limits(StateVariables& t) {
     t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };
     t[GL_STEREO] = [](Context&) { return whole(GL_FALSE); };
     t[GL_DOUBLEBUFFER] = [](Context& context) {
-        return whole(context.drawable != nullptr && context.drawable->is_double_buffered());
+        return whole(!context.framebuffers.draw && context.window != nullptr &&
+                     context.window->is_double_buffered());
     };
-    for (const GLenum name : {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS})
-        t[name] = [](Context& context) { return whole(context.profile.color_bits); };
+    for (const GLenum name : {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS})
+        t[name] = [](Context& context) { return whole(draw_bits(context).color); };
+    t[GL_ALPHA_BITS] = [](Context& context) { return whole(draw_bits(context).alpha); };
     t[GL_INDEX_BITS] = [](Context&) { return whole(0); };
-    t[GL_DEPTH_BITS] = [](Context& context) { return whole(context.profile.depth_bits); };
-    t[GL_STENCIL_BITS] = [](Context& context) { return whole(context.profile.stencil_bits); };
+    t[GL_DEPTH_BITS] = [](Context& context) { return whole(draw_depth_bits(context)); };
+    t[GL_STENCIL_BITS] = [](Context& context) { return whole(draw_bits(context).stencil); };
     for (const GLenum name :
          {GL_ACCUM_RED_BITS, GL_ACCUM_GREEN_BITS, GL_ACCUM_BLUE_BITS, GL_ACCUM_ALPHA_BITS})
-        t[name] = [](Context& context) { return whole(context.profile.accum_bits); };
+        t[name] = [](Context& context) {
+            return whole(context.framebuffers.draw ? 0 : context.profile.accum_bits);
+        };
+    add_framebuffer_objects(t);
 }
 
 }  // namespace gw::gl

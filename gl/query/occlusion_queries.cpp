@@ -3,6 +3,7 @@
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 #include <algorithm>
 #include <limits>
@@ -30,7 +31,7 @@ void get_query_object(Context& context, GLuint id, GLenum pname, T* params) {
     if (count == nullptr || params == nullptr) return;
     if (pname != GL_QUERY_RESULT && pname != GL_QUERY_RESULT_AVAILABLE)
         return set_error(context, GL_INVALID_ENUM);
-    if (context.drawable != nullptr) context.drawable->finish_counts();
+    finish_counts(context);
     constexpr std::uint64_t most = std::uint64_t(std::numeric_limits<T>::max());
     *params = pname == GL_QUERY_RESULT ? T(std::min(count->samples, most)) : T(GL_TRUE);
 }

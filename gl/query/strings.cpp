@@ -71,6 +71,9 @@ constexpr NamedExtension named_extensions[] = {
     {"GL_ARB_vertex_buffer_object", {15, nullptr}},
     {"GL_ARB_pixel_buffer_object", {15, nullptr}},
     {"GL_ARB_texture_non_power_of_two", {15, &Extensions::texture_sizes}},
+    {"GL_ARB_framebuffer_object", {15, &Extensions::surfaces}},
+    {"GL_EXT_framebuffer_blit", {15, &Extensions::surfaces}},
+    {"GL_EXT_framebuffer_object", {15, &Extensions::surfaces}},
     {"GL_EXT_texture_sRGB", {15, &Extensions::texture_srgb}},
     {"GL_EXT_blend_equation_separate", {15, &Extensions::blend_separate}},
 };

@@ -1,6 +1,8 @@
 // The queries of texture environments, parameters and images. [GL11] 6.1.3, 6.1.4
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
+#include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
 #include "gl/pixels/transfer.h"
@@ -87,7 +89,9 @@ int component_bits(const Context& context, const TextureImage& image, GLenum pna
                      : pname == GL_TEXTURE_INTENSITY_SIZE ? base == GL_INTENSITY
                                                           : has_color;
     if (pname == GL_TEXTURE_DEPTH_SIZE)
-        return base == GL_DEPTH_COMPONENT ? context.profile.depth_bits : 0;
+        return is_depths(image.internal_format) ? context.profile.depth_bits : 0;
+    if (pname == GL_TEXTURE_STENCIL_SIZE)
+        return base == GL_DEPTH_STENCIL ? context.profile.stencil_bits : 0;
     return has ? texel_bits(context.profile) : 0;
 }
 
@@ -116,6 +120,7 @@ std::optional<QueryValues> tex_level_values(const Context& context, const ImageP
         case GL_TEXTURE_ALPHA_SIZE:
         case GL_TEXTURE_LUMINANCE_SIZE:
         case GL_TEXTURE_INTENSITY_SIZE:
+        case GL_TEXTURE_STENCIL_SIZE:
         case GL_TEXTURE_DEPTH_SIZE: return whole(component_bits(context, image, pname));
     }
     return std::nullopt;
@@ -163,6 +168,13 @@ std::vector<double> depths_of(const TextureImage& image) {
     return out;
 }
 
+DepthsAndStencils pairs_of(const TextureImage& image) {
+    DepthsAndStencils out{depths_of(image), {}};
+    for (std::size_t i = 0; i < image.texels.size(); i += 4)
+        out.stencils.push_back(image.texels[i + 2]);
+    return out;
+}
+
 }  // namespace
 
 namespace execute {
@@ -200,19 +212,27 @@ void get_tex_level_parameteriv(Context& context, GLenum target, GLint level, GLe
 void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, GLenum type,
                    GLvoid* pixels) {
     const auto place = place_of(context.profile, target);
-    const bool is_depth = format == GL_DEPTH_COMPONENT && context.profile.extensions.texture_depth;
+    const bool is_pair = format == GL_DEPTH_STENCIL;
+    const bool is_depth =
+        (format == GL_DEPTH_COMPONENT || is_pair) && context.profile.extensions.texture_depth;
     if (!place || place->is_proxy || (!is_texel_format(format) && !is_depth) ||
         format == GL_COLOR_INDEX)
         return set_error(context, GL_INVALID_ENUM);
     if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
-    const TextureImage& image = level_image(context, *place, level);
+    TextureObject& object = bound_texture(context, place->index);
+    flush_mesh(context);
+    update_texels(context, object);
+    TextureImage& image = object.image({place->face, std::size_t(level)});
     if (image.width == 0) return;
-    if (is_depths(image.internal_format) != is_depth)
+    image.fill();
+    if (is_depths(image.internal_format) != is_depth ||
+        (is_pair && base_format(image.internal_format) != GL_DEPTH_STENCIL))
         return set_error(context, GL_INVALID_OPERATION);
     const std::vector<std::byte> rows =
-        is_depth ? packed_values(depths_of(image), image.width, format, type)
-                 : packed_texels(image, format, type);
+        is_pair    ? packed_depths_and_stencils(pairs_of(image))
+        : is_depth ? packed_values(depths_of(image), image.width, format, type)
+                   : packed_texels(image, format, type);
     copy_slices_to_memory(context, context.client.pack, {image.width, image.height, image.depth},
                           place->index == three_dimensions, format, type, pixels, rows);
 }

@@ -56,15 +56,6 @@ int complete_levels(TextureObject& object, std::size_t target) {
     return count;
 }
 
-/// Whether the base level can be drawn: of a cube six equal squares.
-bool has_base(TextureObject& object, std::size_t target) {
-    const TextureImage& first = object.base();
-    if (first.width == 0) return false;
-    if (target != cube) return true;
-    return first.width == first.height &&
-           fits(object, target, object.base_level(), inner(first, target));
-}
-
 void warn_of_border(const TextureImage& image) {
     static std::atomic_flag warned;
     if (warned.test_and_set()) return;
@@ -121,8 +112,11 @@ TextureLevel machine_level(TextureObject& object, std::size_t target, std::size_
 
 /// All levels if they fit each other; else the first one, for the filters that use no others.
 void make(TextureObject& object, std::size_t target, const Profile& profile) {
-    const TextureImage& first = object.base();
     const int count = complete_levels(object, target);
+    for (int level = 0; level < std::max(1, count); ++level)
+        for (std::size_t face = 0; face <= object.further_faces.size(); ++face)
+            object.image({face, object.base_level() + std::size_t(level)}).fill();
+    const TextureImage& first = object.base();
     object.made_with_levels = count > 0;
     object.made_base = int(object.base_level());
     if (!profile.extensions.texture_formats ||
@@ -148,6 +142,14 @@ void make(TextureObject& object, std::size_t target, const Profile& profile) {
 }
 
 }  // namespace
+
+bool has_base(TextureObject& object, std::size_t target) {
+    const TextureImage& first = object.base();
+    if (first.width == 0) return false;
+    if (target != cube) return true;
+    return first.width == first.height &&
+           fits(object, target, object.base_level(), inner(first, target));
+}
 
 std::optional<std::size_t> target_index(const Profile& profile, GLenum target) {
     for (std::size_t i = 0; i < texture_target_count; ++i)
@@ -241,6 +243,8 @@ GLenum base_format(GLint internal_format) {
         case GL_DEPTH_COMPONENT16:
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH_COMPONENT32: return GL_DEPTH_COMPONENT;
+        case GL_DEPTH_STENCIL:
+        case GL_DEPTH24_STENCIL8: return GL_DEPTH_STENCIL;
     }
     return 0;
 }
@@ -260,7 +264,15 @@ TextureFormat machine_format(GLint internal_format) {
     return TextureFormat::RGBA;
 }
 
+void TextureImage::fill() {
+    if (texels.size() != 0 || width == 0) return;
+    std::vector<std::uint16_t> all(4 * pixel_index(0, height * depth, width));
+    complete(machine_format(internal_format), all);
+    texels = std::move(all);
+}
+
 void TextureObject::set_image(const ImageKey& key, TextureImage given) {
+    std::erase_if(rendered, [&](const auto& entry) { return entry.first.key == key; });
     new_bytes += given.texels.size() * sizeof(std::uint16_t);
     image(key) = std::move(given);
     history = {};
@@ -285,6 +297,9 @@ void TextureObject::replace_part(const ImageKey& key, const TexelBox& box,
     const int made_count = made ? int(made->levels.size()) : level_count;
     made = nullptr;
     TextureImage& in = image(key);
+    in.fill();
+    for (auto& [place, plane] : rendered)
+        if (place.key == key) plane.older = surface_planes;
     if (!in.texels.is_alone()) new_bytes += in.texels.size() * sizeof(std::uint16_t);
     std::vector<std::uint16_t>& texels = in.texels.edit();
     const Rgba* from = colors.data();
@@ -345,6 +360,7 @@ std::vector<TextureLevel> levels_after(const TextureImage& image) {
 }  // namespace
 
 void TextureObject::generate_levels(std::size_t face) {
+    image({face, base_level()}).fill();
     const TextureImage first = image({face, base_level()});
     if (first.width == 0 || first.border != 0) return;
     int level = parameters.base_level;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/state/state.h"
+#include "gw/planes.h"
 #include "gw/profile.h"
 #include "gw/texture.h"
 
@@ -37,10 +38,14 @@ struct TextureImage {
     int width = 0, height = 0;  ///< with the border; 0: no image
     int border = 0;
     GLint internal_format = 1;  ///< as it was given
-    TexelValues texels;         ///< 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first
+    /// 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first. Empty: none were given, fill() makes them.
+    TexelValues texels;
     /// As they were given compressed; null: they were not, or a part was replaced since.
     std::shared_ptr<const std::vector<std::byte>> blocks;
     int depth = 1;  ///< slices, with the border
+
+    /// Texels that were not given are 0.
+    void fill();
 };
 using TextureImages = std::array<TextureImage, level_count>;
 
@@ -48,6 +53,20 @@ using TextureImages = std::array<TextureImage, level_count>;
 struct ImageKey {
     std::size_t face = 0;  ///< of a cube; else 0
     std::size_t level = 0;
+    auto operator<=>(const ImageKey&) const = default;
+};
+/// A slice of an image: what a framebuffer object can draw to.
+struct ImageSlice {
+    ImageKey key;
+    int slice = 0;
+    auto operator<=>(const ImageSlice&) const = default;
+};
+struct SurfaceImage;  ///< gl/drawable/off_screen.h
+/// The planes of a slice, and where its newest values are.
+struct RenderedImage {
+    std::shared_ptr<SurfaceImage> image;
+    PlaneMask newer = 0;               ///< planes newer than the texels: they were drawn to
+    PlaneMask older = surface_planes;  ///< planes older than the texels: those were given since
 };
 
 /// Some texels of an image: a rectangle in each of some slices.
@@ -69,6 +88,7 @@ struct TextureObject {
     TextureRef made;                ///< null: there is no image
     int made_base = 0;              ///< the level that is its first
     std::size_t new_bytes = 0;      ///< of texels that were stored beside those that frames keep
+    std::map<ImageSlice, RenderedImage> rendered;  ///< what framebuffer objects have or had
 
     TextureImage& image(const ImageKey& key) {
         return key.face == 0 ? levels[key.level] : further_faces[key.face - 1][key.level];
@@ -132,17 +152,22 @@ inline constexpr std::array<GLenum, 3> compressed_texture_formats{GL_COMPRESSED_
 /// Whether R, G, B of an internal format are encoded as in sRGB.
 bool is_srgb(GLint internal_format);
 
-/// Whether texels of an internal format are depths: R is the high half of 32 bits, G the low one.
+/// Whether texels of an internal format are depths: R is the high half of 32 bits, G the low one. B
+/// is the stencil value of those that have one.
 inline bool is_depths(GLint internal_format) {
-    return base_format(internal_format) == GL_DEPTH_COMPONENT;
+    const GLenum base = base_format(internal_format);
+    return base == GL_DEPTH_COMPONENT || base == GL_DEPTH_STENCIL;
 }
 /// A depth as a texel.
-constexpr Rgba depth_texel(std::uint32_t depth) {
-    return {std::uint16_t(depth >> 16), std::uint16_t(depth & 0xFFFF), 0, 0};
+constexpr Rgba depth_texel(std::uint32_t depth, std::uint32_t stencil = 0) {
+    return {std::uint16_t(depth >> 16), std::uint16_t(depth & 0xFFFF), std::uint16_t(stencil), 0};
 }
 
 /// The channels that texels of an internal format have; of depths all.
 TextureFormat machine_format(GLint internal_format);
+
+/// Whether the base level can be drawn: of a cube six equal squares.
+bool has_base(TextureObject& object, std::size_t target);
 
 /// The machine's texture of an object, if its images fit each other and its filter; else null. A
 /// profile without the extension texture_formats gets the first level as RGBA. It stays the same

@@ -3,6 +3,7 @@
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 #include "gw/describe/opengl.h"
 
@@ -179,7 +180,12 @@ void delete_textures(Context& context, GLsizei n, const GLuint* textures) {
         if (textures[i] == 0) continue;
         unbind(context, textures[i]);
         const auto lock = context.shared->exclusive();
-        context.shared->textures.named.erase(textures[i]);
+        auto& named = context.shared->textures.named;
+        const auto found = named.find(textures[i]);
+        if (found == named.end()) continue;
+        const std::shared_ptr<TextureObject> object = found->second.object;
+        if (object) detach(context, [&](const Attachment& a) { return a.texture == object; });
+        named.erase(found);
     }
 }
 

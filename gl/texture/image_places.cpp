@@ -2,6 +2,7 @@
 
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 #include <bit>
 
@@ -65,19 +66,19 @@ GLenum request_error(const Context& context, const ImageRequest& r, const ImageP
 TextureImage black_image(const ImageRequest& r) {
     if (r.width == 0 || r.height == 0 || r.depth == 0)
         return {.internal_format = r.internal_format};
-    const std::size_t texels = std::size_t(r.width) * std::size_t(r.height) * std::size_t(r.depth);
-    return {r.width, r.height, r.border, r.internal_format, std::vector<std::uint16_t>(4 * texels),
-            nullptr, r.depth};
+    return {r.width, r.height, r.border, r.internal_format, {}, nullptr, r.depth};
 }
 
 std::span<Rgba> colors_of(TextureImage& image) {
+    image.fill();
     std::vector<std::uint16_t>& values = image.texels.edit();
     return {reinterpret_cast<Rgba*>(values.data()), values.size() / 4};
 }
 
 void set_image(Context& context, const ImagePlace& place, GLint level, TextureImage image) {
     begin_change(context);
-    complete(machine_format(image.internal_format), image.texels.edit());
+    if (image.texels.size() != 0)
+        complete(machine_format(image.internal_format), image.texels.edit());
     const auto lock = context.shared->exclusive();
     TextureObject& object = bound_texture(context, place.index);
     const ImageKey key{place.face, std::size_t(level)};
@@ -101,6 +102,10 @@ std::optional<ReplacedPart> replaced_part(Context& context, GLenum target, int d
     if (level < 0 || level >= level_count)
         return set_error(context, GL_INVALID_VALUE), std::nullopt;
     TextureObject& object = bound_texture(context, place->index);
+    if (!object.rendered.empty()) {
+        flush_mesh(context);
+        update_texels(context, object);
+    }
     const ImageKey key{place->face, std::size_t(level)};
     const TextureImage& image = object.image(key);
     if (image.width == 0) return set_error(context, GL_INVALID_OPERATION), std::nullopt;

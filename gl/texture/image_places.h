@@ -24,7 +24,7 @@ GLenum request_error(const Context& context, const ImageRequest& r, const ImageP
 /// Texels keep 16 bits a channel.
 inline constexpr int texel_bits = 16;
 
-/// The image of a request, all texels 0.
+/// The image of a request, without texels yet.
 TextureImage black_image(const ImageRequest& r);
 /// The texels as colours.
 std::span<Rgba> colors_of(TextureImage& image);

@@ -3,6 +3,7 @@
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/read.h"
 #include "gl/pixels/transfer.h"
@@ -19,28 +20,36 @@ namespace gw::gl {
 
 namespace {
 
-/// [GL14] 3.8.1, 3.8.2: depths become depths only, and colours colours.
-bool fits_format(GLenum format, GLint internal_format) {
-    return (format == GL_DEPTH_COMPONENT) == is_depths(internal_format);
+bool is_depth_format(GLenum format) {
+    return format == GL_DEPTH_COMPONENT || format == GL_DEPTH_STENCIL;
 }
 
-/// Depths 0 .. 1 as texels.
-void store_depths(const std::vector<double>& depths, std::span<Rgba> out) {
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = depth_texel(quantize(depths[i], 32));
+/// [GL14] 3.8.1, 3.8.2: depths become depths only, and colours colours.
+bool fits_format(GLenum format, GLint internal_format) {
+    return is_depth_format(format) == is_depths(internal_format);
+}
+
+/// Depths 0 .. 1 as texels, and stencil values if there are any.
+void store_depths(const DepthsAndStencils& values, std::span<Rgba> out) {
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = depth_texel(quantize(values.depths[i], 32),
+                             values.stencils.empty() ? 0 : values.stencils[i] & 0xFF);
 }
 
 /// The caller's pixels after transfer. `rows`: of all slices.
 void store_texels(Context& context, GLsizei width, GLsizei rows, GLenum format, GLenum type,
                   const HostImage& host, std::span<Rgba> out) {
     if (format == GL_DEPTH_COMPONENT)
-        return store_depths(host_depths(context, width, rows, type, host), out);
+        return store_depths({host_depths(context, width, rows, type, host), {}}, out);
+    if (format == GL_DEPTH_STENCIL)
+        return store_depths(host_depths_and_stencils(context, width, rows, host), out);
     store_host_rgba(context, width, rows, format, type, host, texel_bits, out);
 }
 
 /// The error of a format and type of texels.
 GLenum texel_error(const Context& context, GLenum format, GLenum type) {
     if (const GLenum error = format_error(format, type)) return error;
-    const bool is_depth = format == GL_DEPTH_COMPONENT && context.profile.extensions.texture_depth;
+    const bool is_depth = is_depth_format(format) && context.profile.extensions.texture_depth;
     return is_texel_format(format) || is_depth ? GL_NO_ERROR : GL_INVALID_ENUM;
 }
 
@@ -79,11 +88,22 @@ void tex_sub_image(Context& context, GLenum target, int dimensions, GLint level,
 std::vector<Rgba> copied_texels(Context& context, const Rect& rect, GLint internal_format) {
     flush_mesh(context);
     if (!is_depths(internal_format)) return read_rgba(context, rect, Cause::Copy, texel_bits);
-    std::vector<double> depths = read_values(context, Plane::Depth, rect, Cause::Copy);
-    for (double& depth : depths) depth = transferred_depth(context, depth);
-    std::vector<Rgba> out(depths.size());
-    store_depths(depths, out);
+    DepthsAndStencils values{read_values(context, Plane::Depth, rect, Cause::Copy), {}};
+    for (double& depth : values.depths) depth = transferred_depth(context, depth);
+    if (base_format(internal_format) == GL_DEPTH_STENCIL)
+        for (const double stencil : read_values(context, Plane::Stencil, rect, Cause::Copy))
+            values.stencils.push_back(transferred_stencil(context, stencil));
+    std::vector<Rgba> out(values.depths.size());
+    store_depths(values, out);
     return out;
+}
+
+/// Whether what is read has the planes of an image of this format.
+bool can_copy(Context& context, GLint internal_format) {
+    const GLenum base = base_format(internal_format);
+    if (!is_depths(internal_format)) return can_read(context, Plane::Color);
+    return can_read(context, Plane::Depth) &&
+           (base == GL_DEPTH_COMPONENT || can_read(context, Plane::Stencil));
 }
 
 void copy_image(Context& context, GLenum target, int dimensions, const ImageRequest& r, GLint x,
@@ -96,6 +116,7 @@ void copy_image(Context& context, GLenum target, int dimensions, const ImageRequ
         return set_error(context, GL_INVALID_ENUM);
     const GLenum error = request_error(context, r, *place);
     if (error != GL_NO_ERROR) return set_error(context, error);
+    if (!can_copy(context, r.internal_format)) return;
     if (context.read_drawable == nullptr) return;
     TextureImage image = black_image(r);
     std::ranges::copy(copied_texels(context, {x, y, r.width, r.height}, r.internal_format),
@@ -106,7 +127,8 @@ void copy_image(Context& context, GLenum target, int dimensions, const ImageRequ
 void copy_part(Context& context, GLenum target, int dimensions, GLint level, const TexelBox& box,
                GLint x, GLint y) {
     const auto part = replaced_part(context, target, dimensions, level, box);
-    if (!part || context.read_drawable == nullptr || box.size() == 0) return;
+    if (!part || !can_copy(context, part->image().internal_format)) return;
+    if (context.read_drawable == nullptr || box.size() == 0) return;
     const Rect from{x, y, box.rect.width, box.rect.height};
     replace(context, *part, copied_texels(context, from, part->image().internal_format));
 }

@@ -5,6 +5,7 @@
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
+#include "gl/draw/targets.h"
 
 #include <algorithm>
 
@@ -63,6 +64,7 @@ void begin(Context& context, GLenum mode) {
     Assembler& a = context.assembler;
     if (a.inside) return set_error(context, GL_INVALID_OPERATION);
     if (mode > GL_POLYGON) return set_error(context, GL_INVALID_ENUM);
+    if (!can_draw(context)) return;
     const bool whole_strips = context.state.line.stipple || context.selection.mode == GL_FEEDBACK;
     if (!a.mesh.takes(mode, whole_strips)) flush_mesh(context);
     a.mesh.begin(mode, whole_strips);

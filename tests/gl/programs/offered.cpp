@@ -25,6 +25,7 @@ constexpr Case cases[] = {
     {"glFogCoordf", "GL_EXT_fog_coord", 1.4},
     {"glBeginQuery", "GL_ARB_occlusion_query", 1.5},
     {"glGenBuffers", "GL_ARB_vertex_buffer_object", 1.5},
+    {"glGenFramebuffers", "GL_ARB_framebuffer_object", 1.5},
 };
 
 bool has_word(std::string_view words, std::string_view word) {

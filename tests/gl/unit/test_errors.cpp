@@ -141,7 +141,7 @@ const std::vector<Case> cases{
     {"LogicOp ALWAYS", bad_enum, [] { glLogicOp(GL_ALWAYS); }},
     {"DrawBuffer RED", bad_enum, [] { glDrawBuffer(GL_RED); }},
     {"DrawBuffer AUX0", bad_operation, [] { glDrawBuffer(GL_AUX0); }},
-    {"ReadBuffer NONE", bad_enum, [] { glReadBuffer(GL_NONE); }},
+    {"ReadBuffer RED", bad_enum, [] { glReadBuffer(GL_RED); }},
     {"Clear bit 0", bad_value, [] { glClear(1); }},
     {"Accum RETURN + 9", bad_enum, [] { glAccum(GL_RETURN + 9, 1); }},
     {"Map1 order 0", bad_value, [] { glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 0, numbers); }},

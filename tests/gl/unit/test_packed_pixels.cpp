@@ -147,7 +147,7 @@ TEST(GlPackedPixels, DepthsAndStencilsAreWrittenTogether) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST(GlPackedPixels, DepthsAndStencilsAreNoTexels) {
+TEST(GlPackedPixels, DepthsAndStencilsAreNoColors) {
     const Window window;
     GLuint memory[16]{};
     const auto error = [] { return glGetError(); };
@@ -157,12 +157,13 @@ TEST(GlPackedPixels, DepthsAndStencilsAreNoTexels) {
     EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
                  memory);
-    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, memory);
     glTexImage2D(GL_PROXY_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_DEPTH_COMPONENT,
                  GL_UNSIGNED_INT_8_8_8_8, memory);
     EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
     glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, memory);
-    EXPECT_EQ(error(), GLenum(GL_INVALID_ENUM));
+    EXPECT_EQ(error(), GLenum(GL_INVALID_OPERATION));
 }
 
 }  // namespace gw::gl
