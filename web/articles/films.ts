@@ -132,14 +132,14 @@ export const films: Readonly<Record<string, FilmFigure>> = {
       },
       {
         id: 'rays',
-        title: { en: 'Second rays', ja: '二次レイ' },
+        title: { en: 'Second rays', ja: '二次光線' },
         picture: 'rays.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,item-buffer',
       },
       {
         id: 'all-rays',
-        title: { en: 'All rays', ja: 'すべてレイで' },
+        title: { en: 'All rays', ja: 'すべて光線で' },
         picture: 'compare/ray_tracing.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,ray-tracing',

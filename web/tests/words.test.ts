@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { en } from '../words/en';
 import { ja } from '../words/ja';
+import { articleWords } from '../words/articles';
 import { quizWords } from '../words/quiz';
 
 const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'quiz', 'report']
@@ -16,6 +17,16 @@ const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 
 it('has every word in both languages', () => {
   expect(Object.keys(ja).sort()).toEqual(Object.keys(en).sort());
   for (const [name, word] of Object.entries({ ...en, ...ja })) expect(word, name).not.toBe('');
+});
+
+/** Names and formats, which are the same in both languages. */
+const international = /^(GIF|PNG|SVG|RGBA?|Z|ID|VGX|[\d{}\W_])*$/;
+it('has Japanese letters in every Japanese word', () => {
+  const all = { ...ja, ...quizWords.ja, ...articleWords.ja };
+  for (const [name, word] of Object.entries(all))
+    // The button names the other language in its own.
+    if (name !== 'language' && !international.test(word))
+      expect(word, name).toMatch(/[\u3041-\u30fa\u4e00-\u9fff]/);
 });
 
 it('uses every word', () => {

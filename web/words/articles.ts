@@ -23,7 +23,7 @@ const english = {
 export type ArticleWords = Words & Readonly<Record<keyof typeof english, string>>;
 
 const japanese: Readonly<Record<keyof typeof english, string>> = {
-  articles_title: '陰面消去：読み物',
+  articles_title: '隠面消去：読み物',
   articles_lead:
     '一つの話題を一つの読み物にしました。図はステップごとに進められ、点を動かせます。下線のある言葉を指すと、それが図の中で光ります。',
   articles_all: 'すべての読み物',

@@ -4,7 +4,7 @@ const painter = (en: string, ja: string): string => `
 for each polygon P in the window: | 画面に入る各ポリゴン P について: |
   compute where its corners are | 頂点の位置を求める |
   key(P) := ${en} | キー(P) := ${ja} |
-sort the list by key | リストをキーで並べ替える |
+sort the list by key | リストをキーでソートする |
   compare two keys at a time | 二つのキーを比べる |
     greater: the polygon counts as farther | 大きいほうを遠いとみなす | distance.farther
     not greater: their order stays | 大きくなければ順序はそのまま | distance.not-farther
@@ -37,7 +37,7 @@ polygons before others are not looked for | 手前のポリゴンは調べない
   'painter-farthest': painter('distance of the farthest corner', '最も遠い頂点の距離'),
   'painter-centroid': painter('distance of the centroid', '重心の距離'),
   newell: `
-sort all polygons by their farthest corners | 最も遠い頂点で並べ替える | farthest-corner.sorted
+sort all polygons by their farthest corners | 最も遠い頂点でソートする | farthest-corner.sorted
 while the list has polygons: | リストが空になるまで: |
   P := the farthest | P := 最も遠いポリゴン |
   for each Q that may overlap P in depth: | 奥行きが重なり得る各 Q について: | z-extents
@@ -64,7 +64,7 @@ edge table: polygons by their top lines | 辺の表: ポリゴンを最上の走
 for each line y, from the top: | 上から各走査線 y について: |
   add polygons that begin, drop those that end | 始まるものを加え、終わるものを除く |
   segments := the polygons between their edges | 線分 := 各ポリゴンの左右の辺の間 | active-edges
-  sort the ends in x | 端を x で並べ替える |
+  sort the ends in x | 端を x でソートする |
   for each sample span between two ends: | 隣り合う端の間の各サンプルスパン: |
     one segment: it is seen | 線分が一つならそれが見える | span.one
     one is nearest at both ends: it is seen | 両端で手前ならそれが見える | span.one-nearest
@@ -142,7 +142,7 @@ for each line y, from the top: | 上から各走査線 y について: |
     left := end of the span | 左 := サンプルスパンの終わり |
   draw the line | 走査線を描く | draw`,
   'weiler-atherton': `
-sort all polygons by their nearest corners | 最も近い頂点で並べ替える | nearest-corner
+sort all polygons by their nearest corners | 最も近い頂点でソートする | nearest-corner
 sort out(list): | 整理(リスト): |
   C := the nearest that has not clipped yet | C := まだ使っていない最も近いもの |
   for each other polygon P: | ほかの各ポリゴン P について: |

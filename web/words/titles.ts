@@ -10,7 +10,7 @@ const japanese: Readonly<Record<string, string>> = {
   bsp: '視点を決める前に作る BSP 木 [L5]',
   'scan-line': '走査線法：辺、x でソートした線分、サンプルスパン [L6]',
   'z-buffer': 'マシンの Zバッファ [L8]',
-  'ray-casting': 'レイキャスティング：すべてのレイとすべてのポリゴン [L9]',
+  'ray-casting': 'レイキャスティング：すべての光線とすべてのポリゴン [L9]',
   schumacker: 'Schumacker のクラスタ：どの視点でも成り立つ優先順位 (1969)',
   warnock: 'Warnock の領域分割 (1969)',
   bouknight: 'Bouknight の走査線法：辺が面のオン・オフを切り替える (1970)',
