@@ -2,7 +2,6 @@
 #include "gw/machine.h"
 
 #include "gw/base/parallel.h"
-#include "gw/error.h"
 #include "gw/fast/plan/plan.h"
 #include "gw/fast/simd/simd_target.h"
 #include "gw/fast/tile/clear.h"
@@ -12,41 +11,58 @@
 #include "gw/stages/pixels/plane_texels.h"
 #include "gw/stages/tables.h"
 
+#include <deque>
 #include <map>
 #include <memory>
+#include <span>
 #include <utility>
+#include <vector>
 
 namespace gw {
 namespace fast {
 namespace {
 
-/// The tiles of a surface, and its planes in the host's layout, which are made when they are first
-/// asked for.
+/// The tiles of a surface, or of each of its samples, and their planes in the host's layout, which
+/// are made when they are first asked for.
 struct Drawable {
     Surface surface;
     Profile profile;  ///< with its depth_bits
-    Frame frame;
-    Planes planes;
-    bool planes_are_current;  ///< they are those of the frame
-    KeptGeometry geometry;    ///< projected to this surface, while another one is in use
+    std::deque<Frame> frames;
+    std::vector<Frame*> all_frames;  ///< of `frames`
+    std::vector<Planes> planes;      ///< of each frame
+    bool planes_are_current;         ///< they are those of the frames
+    KeptGeometry geometry;           ///< projected to this surface, while another one is in use
 
     Drawable(const Surface& of, const Profile& p, int log2_tile)
         : surface(of),
           profile(profile_of(p, of)),
-          frame(of.width, of.height, log2_tile),
-          planes(of.is_window() ? Planes(of.width, of.height, p.color_planes) : Planes()),
-          planes_are_current(of.is_window()) {}
-    SegmentTarget target() const { return {surface, frame.grid()}; }
-    Planes& read(int threads) {
-        if (planes_are_current) return planes;
-        if (planes.width == 0) planes = Planes(surface);
-        frame.begin_read(planes);
-        parallel_for(frame.grid().count(), threads, [this](std::size_t i, int) {
-            write_back_blocks(frame.tile(i));
-            frame.read(i, planes);
-        });
+          planes(std::size_t(of.sample_count())),
+          planes_are_current(of.is_window()) {
+        for (int k = 0; k < of.sample_count(); ++k)
+            all_frames.push_back(&frames.emplace_back(of.width, of.height, log2_tile));
+        if (of.is_window()) planes[0] = Planes(of.width, of.height, p.color_planes);
+    }
+    SegmentTarget target() const { return {surface, frames[0].grid()}; }
+    /// Of a surface without samples, or of the first one.
+    Planes& read(int threads) { return read_samples(threads)[0]; }
+    std::span<Planes> read_samples(int threads) {
+        for (std::size_t k = 0; k < frames.size() && !planes_are_current; ++k)
+            read(frames[k], planes[k], threads);
         planes_are_current = true;
         return planes;
+    }
+    void write() {
+        for (std::size_t k = 0; k < frames.size(); ++k) frames[k].write(planes[k]);
+    }
+
+private:
+    void read(Frame& frame, Planes& to, int threads) const {
+        if (to.width == 0) to = Planes(surface);
+        frame.begin_read(to);
+        parallel_for(frame.grid().count(), threads, [&](std::size_t i, int) {
+            write_back_blocks(frame.tile(i));
+            frame.read(i, to);
+        });
     }
 };
 
@@ -69,7 +85,6 @@ public:
         validate(list, profile(), window_.surface.width, window_.surface.height,
                  {machine_.state, machine_.slot_planes, machine_.targets,
                   pass_name(machine_.passes), queries_.active(), made_, number_});
-        refuse_samples(list);
         std::span<const Command> rest(list.commands);
         while (!rest.empty()) {
             rest = rest.subspan(
@@ -96,24 +111,17 @@ public:
     const Profile& profile() const override { return machine_.profile; }
 
 private:
-    static void refuse_samples(const CommandList& list) {
-        for (const Command& command : list.commands) {
-            const auto* const make = std::get_if<MakeSurface>(&command);
-            if (make && make->surface.samples != 0)
-                throw Error("surfaces with samples: expected the reference machine");
-        }
-    }
-
     void run_segment() {
         const Segment& segment = machine_.segment;
         if (segment.ops.empty()) return;
-        Frame& frame = used_->frame;
+        Frame& frame = used_->frames[0];  // the window's, if the following are needed
         if (segment.uses_accum) frame.need_accum();
         if (segment.scan.color_plane()) frame.use_color(*segment.scan.color_plane());
         if (segment.uses_both_colors) frame.need_other_color();
         used_->planes_are_current = false;
         forget_texels(number_);
-        const std::vector<OpCounts> totals = runner_.run(segment, frame, used_->profile);
+        const std::vector<OpCounts> totals =
+            runner_.run(segment, used_->all_frames, used_->profile);
         for (std::size_t i = 0; i < totals.size(); ++i) {
             const TileOp& op = segment.ops[segment.count_slots[i]];
             machine_.passes[op.pass].counters += counters_of(op, totals[i], used_->profile);
@@ -164,7 +172,7 @@ private:
     }
     /// The host's planes of the surface in use were changed.
     void write_planes() {
-        used_->frame.write(used_->planes);
+        used_->write();
         forget_texels(number_);
     }
     /// Draws what the source has now, as a segment of its own.
@@ -185,8 +193,8 @@ private:
               plane_bytes(command.plane, used_->profile));
     }
     void run_barrier(const SwapBuffers&) {
-        window_.frame.swap_colors();
-        std::swap(window_.planes.color, window_.planes.back);
+        window_.frames[0].swap_colors();
+        std::swap(window_.planes[0].color, window_.planes[0].back);
         count(0, 0);
     }
     void run_barrier(const Query& command) { queries_.run(command, machine_.passes); }
@@ -210,15 +218,21 @@ private:
     void run_barrier(const Blit& command) {
         const Resolved r = resolved();
         Drawable& from = drawable(command.from_surface);
-        const std::vector<Planes> source{from.read(threads_)};  // a copy: it may be the target, too
-        Planes& to = used_->read(threads_);
+        // Copies: it may be the target, too.
+        const std::vector<Planes> source =
+            blit_samples(from.read_samples(threads_), used_->surface);
+        const std::span<Planes> to = used_->read_samples(threads_);
         const Profile& p = used_->profile;
         const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
-        for (const Plane plane : every_plane)
-            if (planes & mask_of(plane))
-                count(blit_plane(command, plane, {from.surface, source, machine_.state.read_buffer},
-                                 0, r, p.color_bits, to),
-                      plane_bytes(plane, p) + written_bytes(plane, r.state, p));
+        for (const Plane plane : every_plane) {
+            if ((planes & mask_of(plane)) == 0) continue;
+            std::uint64_t pixels = 0;
+            for (std::size_t k = 0; k < to.size(); ++k)
+                pixels =
+                    blit_plane(command, plane, {from.surface, source, machine_.state.read_buffer},
+                               k, r, p.color_bits, to[k]);
+            count(pixels, blit_bytes(plane, from.surface, used_->surface, r.state, p));
+        }
         write_planes();
     }
     void run_barrier(const auto&) {}

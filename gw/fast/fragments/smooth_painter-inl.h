@@ -32,6 +32,40 @@ HWY_INLINE void cover_alpha(const TileDraw& draw, const CoverageBlock& coverage,
         alpha[i] = covered_alpha(alpha[i], coverage.lane[i], bits);
 }
 
+/// A primitive's frame at one pixel whose centre is an outer one: planes are constant there.
+HWY_INLINE PrimitiveFrame outer_frame(const TileDraw& draw, const PrimitiveFrame& frame, int bx,
+                                      int by, int lane) {
+    const auto center = [&](int pixel) {
+        return (std::int64_t{pixel} << frame.s) + (std::int64_t{1} << (frame.s - 1));
+    };
+    PrimitiveFrame at = frame;
+    at.limited = true;
+    at.pixel_x = center(draw.tile.x + bx * block_side + lane % block_side);
+    at.pixel_y = center(draw.tile.y + by * block_side + lane / block_side);
+    return at;
+}
+
+/// The colour of that pixel, the lane of `mask`.
+HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
+                                                  const SetupPrimitive& primitive,
+                                                  const PrimitiveFrame& at, int bx, int by,
+                                                  std::uint32_t mask, ShadeInputs& in) {
+    ColorPlanes color;
+    make_color_planes(draw, primitive, at, color);
+    wide_colors(color, *draw.op, bx, by, mask, in);
+    if (has_rare_values(*draw.op)) {
+        RarePlanes rare;
+        make_rare_planes(draw, primitive, at, rare);
+        find_rare_values(rare, draw, bx, by, mask, in.secondary, in.fog);
+    }
+    if (draw.op->texels) {
+        TexturePlanes texture;
+        make_texture_planes(draw, primitive, at, texture);
+        look_up(texture, draw, bx, by, mask, in);
+    }
+    return shaded(draw, in.texels[0], in);
+}
+
 /// Primitive i of a batch, in the pixels that have its values.
 class SmoothPainter {
 public:
@@ -67,32 +101,11 @@ private:
                       });
     }
 
-    /// One pixel whose centre is outside: planes are constant there.
     void paint_outside(int bx, int by, const CoverageBlock& coverage, int lane) {
-        const auto center = [&](int pixel) {
-            return (std::int64_t{pixel} << frame_.s) + (std::int64_t{1} << (frame_.s - 1));
-        };
-        PrimitiveFrame at = frame_;
-        at.limited = true;
-        at.pixel_x = center(draw_.tile.x + bx * block_side + lane % block_side);
-        at.pixel_y = center(draw_.tile.y + by * block_side + lane / block_side);
+        const PrimitiveFrame at = outer_frame(draw_, frame_, bx, by, lane);
         const std::uint32_t mask = 1u << lane;
-        const DepthPlane depth = depth_plane(draw_, primitive_, at);
-        run(depth, bx, by, coverage, mask, [&]() -> const ColorBlock& {
-            ColorPlanes color;
-            make_color_planes(draw_, primitive_, at, color);
-            wide_colors(color, *draw_.op, bx, by, mask, outer_);
-            if (has_rare_values(*draw_.op)) {
-                RarePlanes rare;
-                make_rare_planes(draw_, primitive_, at, rare);
-                find_rare_values(rare, draw_, bx, by, mask, outer_.secondary, outer_.fog);
-            }
-            if (draw_.op->texels) {
-                TexturePlanes texture;
-                make_texture_planes(draw_, primitive_, at, texture);
-                look_up(texture, draw_, bx, by, mask, outer_);
-            }
-            return shaded(draw_, outer_.texels[0], outer_);
+        run(depth_plane(draw_, primitive_, at), bx, by, coverage, mask, [&]() -> const ColorBlock& {
+            return outer_color(draw_, primitive_, at, bx, by, mask, outer_);
         });
     }
 

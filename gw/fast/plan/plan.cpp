@@ -4,6 +4,7 @@
 #include "gw/base/prefetch.h"
 #include "gw/stages/fog.h"
 #include "gw/stages/raster/points.h"
+#include "gw/stages/raster/samples.h"
 #include "gw/stages/tables.h"
 #include "gw/stages/texgen.h"
 
@@ -181,6 +182,16 @@ struct Planner {
         return gw::fog_table(fog, profile.color_bits);
     }
 
+    void include_jitter(GeometrySet& set, const Resolved& r) const {
+        const JitterState& jitter = r.state.jitter;
+        set.jitter.include(jitter);
+        if (!r.state.multisample.enable) return;
+        for (int k = 0; k < r.samples; ++k) {
+            const JitterState shift = sample_shift(r.samples, k, profile.subpixel_bits);
+            set.jitter.include({jitter.x + shift.x, jitter.y + shift.y});
+        }
+    }
+
     /// Adds the draws of one group; `steps` are its draws.
     void add_draws(std::span<const Step> steps) {
         ScannedState& scanned = *steps[0].state;
@@ -188,13 +199,14 @@ struct Planner {
         const Draw& first = std::get<Draw>(*steps[0].command);
         const PartGroup& group = *steps[0].part->group;
         GeometrySet& set = *group.set;
-        set.jitter.include(scanned.resolved.state.jitter);
+        include_jitter(set, scanned.resolved);
         const Draw* const* draws = segment.draws.data() + segment.draws.size();
         for (const Step& step : steps) segment.draws.push_back(&std::get<Draw>(*step.command));
 
         DrawOp op{.draws = draws, .state = scanned.resolved, .group = &group, .set = &set};
         op.bytes = scanned.bytes;
         op.needs_color = op.state.writes_color || op.state.state.alpha.func != AlphaFunc::Always;
+        op.needs_color |= op.state.state.multisample.alpha_to_coverage;
         op.perspective_color = profile.perspective_color &&
                                state.shade_model == ShadeModel::Smooth &&
                                state.color_source != ColorSource::PolygonId;
@@ -328,7 +340,7 @@ std::size_t plan_segment(std::span<const Command> commands, MachineState& machin
     Planner planner{machine, profile, target.surface};
     planner.add_steps();
     planner.make_shared(grid, threads);
-    share_visibility(segment);
+    if (target.surface.samples == 0) share_visibility(segment);
     list_by_tile(segment, grid);
     return consumed;
 }

@@ -5,6 +5,7 @@
 #include "gw/fast/frame/box.h"
 
 #include <cstdint>
+#include <span>
 
 namespace gw {
 
@@ -42,6 +43,7 @@ struct TileDraw {
     OpCounts* counts = nullptr;
     BatchScratch* scratch = nullptr;
     RepeatedTexels* repeated = nullptr;
+    std::span<const Tile> samples{};  ///< the tile of each sample; none without samples
 };
 
 }  // namespace fast

@@ -12,6 +12,7 @@
 #include "gw/fast/raster/triangles-inl.h"
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/fast/vertices/vertex_values.h"
+#include "gw/stages/stipple.h"
 
 #include <algorithm>
 #include <bit>
@@ -151,6 +152,20 @@ struct BoxLanes {
         for (std::size_t i = 0; i < parts; ++i) s.part[i] = hn::And(s.part[i], inside.part[i]);
     }
 };
+
+/// The lanes of a block that the polygon stipple leaves.
+HWY_INLINE LaneSet stippled(const TileDraw& draw, int bx, int by, const LaneSet& lanes) {
+    const auto& pattern = draw.op->state.state.polygon_stipple.pattern;
+    if (!pattern) return lanes;
+    std::uint32_t left = lanes.bits();
+    for (std::uint32_t rest = left; rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        const int x = draw.tile.x + bx * block_side + lane % block_side,
+                  y = draw.tile.y + by * block_side + lane / block_side;
+        if (!stipple_bit(*pattern, x, y)) left &= ~(1u << lane);
+    }
+    return lane_set(left);
+}
 
 /// Visits a block that the triangle covers wholly. If no box cuts it, a visitor may take AllLanes.
 template <class Visit>

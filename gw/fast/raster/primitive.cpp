@@ -154,6 +154,13 @@ struct Maker {
     void sprite(TexturePlanes& out, const UnitOp& unit, bool without_t) const {
         const std::int64_t g = sprite_gradient(whole_size(frame.point_size)),
                            half = sprite_denominator / 2;
+        const auto limited = [&](const TilePlane& p) {
+            if (!frame.limited) return p;
+            const int i = int(frame.pixel_x >> frame.s) - draw.tile.x,
+                      j = int(frame.pixel_y >> frame.s) - draw.tile.y;
+            return PrimitiveFrame::constant(
+                std::clamp<std::int64_t>(value_of(p, i, j), 0, sprite_denominator));
+        };
         out.q = PrimitiveFrame::constant(sprite_denominator);
         out.s = {.plane = frame.sprite_plane(half, g, 0)};
         out.t = {.plane =
@@ -161,11 +168,14 @@ struct Maker {
         out.r = {.plane = PrimitiveFrame::constant(0)};
         const Values at{half, half, half}, zero{}, q{sprite_denominator};
         slopes(out, q, at, without_t ? zero : at);
-        if (!unit.texels->texels.with_r) return;
-        out.q_slope = slope_of(out.q, q);
-        out.s.plane_slope = slope_of(out.s.plane, at);
-        out.t.plane_slope = slope_of(out.t.plane, without_t ? zero : at);
-        out.r.plane_slope = slope_of(out.r.plane, zero);
+        if (unit.texels->texels.with_r) {
+            out.q_slope = slope_of(out.q, q);
+            out.s.plane_slope = slope_of(out.s.plane, at);
+            out.t.plane_slope = slope_of(out.t.plane, without_t ? zero : at);
+            out.r.plane_slope = slope_of(out.r.plane, zero);
+        }
+        out.s.plane = limited(out.s.plane);
+        out.t.plane = limited(out.t.plane);
     }
 
     void texture(TexturePlanes& out, std::size_t number, const UnitOp& unit) const {

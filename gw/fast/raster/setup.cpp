@@ -19,8 +19,18 @@ std::array<int128, 2> PrimitiveFrame::exact_gradients(const std::array<std::int6
             exact_gradient(da2 * dx1 - da1 * dx2, 16 + s, area2)};
 }
 
+/// The same, mostly without a division of 128 bits.
+std::array<int128, 2> PrimitiveFrame::gradients(const std::array<std::int64_t, 3>& a) const {
+    if (kind != MeshKind::Triangles) return exact_gradients(a);
+    const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];
+    bool sliver = false;
+    const int128 gx = gradient(da1 * dy2 - da2 * dy1, 16 + s, area2, sliver),
+                 gy = gradient(da2 * dx1 - da1 * dx2, 16 + s, area2, sliver);
+    return sliver ? exact_gradients(a) : std::array{gx, gy};
+}
+
 TilePlane PrimitiveFrame::limited_plane(const std::array<std::int64_t, 3>& a) const {
-    const auto g = exact_gradients(a);
+    const auto g = gradients(a);
     const int128 step = (g[0] * (pixel_x - x[base]) + g[1] * (pixel_y - y[base])) >> s;
     const int128 value = ((int128{a[base]} << 16) + (1 << 15) + step) >> 16;
     const auto used = a.begin() + (kind == MeshKind::Triangles ? 3

@@ -83,6 +83,7 @@ struct PrimitiveFrame {
     std::array<int128, 2> exact_gradients(const std::array<std::int64_t, 3>& a) const;
 
 private:
+    std::array<int128, 2> gradients(const std::array<std::int64_t, 3>& a) const;
     TilePlane limited_plane(const std::array<std::int64_t, 3>& a) const;
     TilePlane triangle_plane(const std::array<std::int64_t, 3>& a) const {
         const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];

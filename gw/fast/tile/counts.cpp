@@ -15,7 +15,7 @@ Counters fragment_counters(const OpCounts& n, const FragmentBytes& bytes) {
     c.stencil_killed = n.stencil_killed;
     c.depth_killed = n.depth_killed;
     c.written = n.written;
-    c.bytes = (n.fragments - n.alpha_killed) * bytes.after_alpha +
+    c.bytes = (n.stencil_killed + n.depth_killed + n.written) * bytes.after_alpha +
               (n.depth_killed + n.written) * bytes.after_stencil + n.written * bytes.written;
     return c;
 }
@@ -32,6 +32,8 @@ struct Count {
     const OpCounts& n;
     const Profile& profile;
 
+    static std::uint64_t samples(const auto& op) { return std::uint64_t(op.state.samples); }
+
     Counters operator()(const DrawOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
         c.texels = n.fragments * std::uint64_t(op.look_ups);
@@ -40,12 +42,12 @@ struct Count {
     Counters operator()(const SpansOp& op) const { return fragment_counters(n, op.bytes); }
     Counters operator()(const PixelsOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
-        c += pixel_counters(n, plane_bytes(op.write->plane, profile));
+        c += pixel_counters(n, samples(op) * plane_bytes(op.write->plane, profile));
         return c;
     }
     Counters operator()(const DrawPixelsOp& op) const {
         Counters c = fragment_counters(n, op.bytes);
-        c += pixel_counters(n, plane_bytes(Plane::Stencil, profile));
+        c += pixel_counters(n, samples(op) * plane_bytes(Plane::Stencil, profile));
         c.texels = n.fragments * std::uint64_t(op.placed->look_ups());
         return c;
     }
@@ -56,7 +58,8 @@ struct Count {
         c.pixels = n.pixels;
         for (const Plane plane : every_plane)
             if (op.planes & mask_of(plane))
-                c.bytes += n.pixels / planes * written_bytes(plane, op.state.state, profile);
+                c.bytes += samples(op) * (n.pixels / planes) *
+                           written_bytes(plane, op.state.state, profile);
         return c;
     }
     Counters operator()(const AccumulateOp& op) const {

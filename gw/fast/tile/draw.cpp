@@ -6,6 +6,7 @@
 
 #include "gw/fast/fragments/antialiased-inl.h"
 #include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/fragments/sampled-inl.h"
 #include "gw/fast/fragments/simple_triangles-inl.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
 #include "gw/fast/tile/draw.h"
@@ -24,20 +25,6 @@ HWY_INLINE void paint_block(BatchPlanes& planes, std::size_t i, const DepthBlock
     run_fragments(draw.op->state, planes.corners.primitive[i]->front != 0, depth, draw.tile,
                   draw.tile.block(bx, by), covered, counts,
                   [&]() -> const ColorBlock& { return planes.color_of(i, bx, by, covered); });
-}
-
-/// The lanes of a block that the polygon stipple leaves.
-HWY_INLINE LaneSet stippled(const TileDraw& draw, int bx, int by, const LaneSet& lanes) {
-    const auto& pattern = draw.op->state.state.polygon_stipple.pattern;
-    if (!pattern) return lanes;
-    std::uint32_t left = lanes.bits();
-    for (std::uint32_t rest = left; rest != 0; rest &= rest - 1) {
-        const int lane = std::countr_zero(rest);
-        const int x = draw.tile.x + bx * block_side + lane % block_side,
-                  y = draw.tile.y + by * block_side + lane / block_side;
-        if (!stipple_bit(*pattern, x, y)) left &= ~(1u << lane);
-    }
-    return lane_set(left);
 }
 
 void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, OpCounts& counts) {
@@ -84,8 +71,29 @@ HWY_NOINLINE void draw_smooth(const TileDraw& draw, std::span<const std::uint32_
     *draw.counts += counts;
 }
 
+void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin);
+
+/// The same of a surface with samples. Without places of their own each is drawn as a surface.
+HWY_NOINLINE void draw_samples(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    if (draw.op->state.state.multisample.enable) {
+        for (const Tile& tile : draw.samples) write_back_tile(tile, touched_planes(*draw.op));
+        return draw_sampled(draw, bin);
+    }
+    OpCounts counts;
+    for (const Tile& tile : draw.samples) {
+        counts.fragments = 0;
+        TileDraw one = draw;
+        one.tile = tile;
+        one.samples = {};
+        one.counts = &counts;
+        draw_all(one, bin);
+    }
+    *draw.counts += counts;
+}
+
 /// Draws the primitives of a bin in order.
 void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
+    if (!draw.samples.empty()) return draw_samples(draw, bin);
     if (antialiases(*draw.op)) return draw_smooth(draw, bin);
     OpCounts counts;
     const bool uniform = draws_uniform(*draw.op, bin, draw.profile->subpixel_bits),
@@ -107,6 +115,8 @@ void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
 
 void process_block(const BlockFragments& f, const ColorBlock& color, const DepthBlock& depth,
                    const Tile& tile, OpCounts& counts) {
+    if (f.state->samples > 1)
+        return run_sample(*f.state, f.sample, f.front, depth, tile, f.block, f.mask, counts, color);
     run_fragments(*f.state, f.front, depth, tile, f.block, f.mask, counts,
                   [&]() -> const ColorBlock& { return color; });
 }

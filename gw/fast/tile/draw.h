@@ -19,6 +19,7 @@ struct BlockFragments {
     std::size_t block = 0;
     std::uint32_t mask = 0;
     bool front = true;
+    int sample = 0;  ///< of a surface with samples
 };
 /// Runs the host's fragments through the tests to the planes.
 void process_fragments(const BlockFragments& fragments, const ColorBlock& color,

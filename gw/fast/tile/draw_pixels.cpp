@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 
 #include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/tile/draw.h"
 #include "gw/fast/tile/draw_pixels.h"
 #include "gw/fast/uniform/uniform-inl.h"
 #include "gw/stages/pixels/draw_pixels.h"
@@ -75,7 +76,7 @@ HWY_INLINE void load_colors(const PlacedPixels& placed, int x, int y, ColorBlock
 bool only_stores_colors(const Resolved& r) {
     const State& s = r.state;
     const ColorMask& m = s.color_mask;
-    return s.alpha.func == AlphaFunc::Always && ignores_stencil(r.front) &&
+    return r.samples == 1 && s.alpha.func == AlphaFunc::Always && ignores_stencil(r.front) &&
            s.depth.func == DepthFunc::Always && !s.depth.mask && m.r && m.g && m.b && m.a &&
            !s.blend.enable && !s.logic_op.enable && !draws_to_both(s);
 }
@@ -100,6 +101,9 @@ struct PixelsInTile {
         if (mask == 0) return;
         if (state.writes_color) write_back_color(tile, bx, by);
         if (depth) write_back_depth(tile, bx, by);
+        if (state.samples > 1)
+            return process_fragments({&state, tile.block(bx, by), mask, true, draw.sample},
+                                     block.color, block.depth, tile, *draw.counts);
         run_fragments(state, true, block.depth, tile, tile.block(bx, by), mask, *draw.counts,
                       [&]() -> const ColorBlock& { return block.color; });
     }

@@ -18,6 +18,7 @@ struct PixelsDraw {
     Tile tile;
     BlockBox box;
     OpCounts* counts = nullptr;
+    int sample = 0;  ///< of a surface with samples
 };
 void draw_pixels(const PixelsDraw& draw);
 

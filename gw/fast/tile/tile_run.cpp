@@ -13,6 +13,7 @@
 #include "gw/stages/tables.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <deque>
 
@@ -98,6 +99,8 @@ struct TileRun {
     const Profile& profile;
     Tile tile;
     TileScratch& scratch;
+    std::span<const Tile> samples{};  ///< the tile of each sample; none without samples
+    int sample = 0;                   ///< that `tile` is of
     OpCounts* counts = nullptr;
     Rect last_rect{};
     BlockBox last_box = block_box(last_rect, tile);
@@ -111,11 +114,27 @@ struct TileRun {
         return last_box;
     }
 
+    /// Runs an operation on all samples. Its fragments and pixels count once.
+    void run_on_samples(const auto& op) {
+        if (samples.empty()) return run(op);
+        OpCounts all, *const sum = counts;
+        counts = &all;
+        for (sample = 0; sample < int(samples.size()); ++sample) {
+            tile = samples[std::size_t(sample)];
+            all.fragments = all.pixels = 0;
+            run(op);
+        }
+        counts = sum;
+        *counts += all;
+    }
+    void run_on_samples(const DrawOp& op) { run(op); }
+
     void run(const DrawOp& op) {
         const std::span<const std::uint32_t> bin =
             op.group->tile_bin(tile.x / tile.side, tile.y / tile.side);
-        const TileDraw draw{&op,    &profile,       tile,           box(op.state.draw_box),
-                            counts, &scratch.batch, &scratch.texels};
+        const TileDraw draw{
+            &op,    &profile, tile, box(op.state.draw_box), counts, &scratch.batch, &scratch.texels,
+            samples};
         if (draw.box.empty()) return;
         if (op.visible_record < 0) return draw_primitives(draw, bin);
         write_back_blocks(tile, touched_planes(op));
@@ -207,7 +226,8 @@ struct TileRun {
                             op.write
                                 ->colors[span.first + (span.flat ? 0 : std::uint32_t(x - span.x))]);
                     });
-                    process_fragments({&op.state, b, mask, true}, color, depth, tile, *counts);
+                    process_fragments({&op.state, b, mask, true, sample}, color, depth, tile,
+                                      *counts);
                 });
         }
     }
@@ -223,33 +243,32 @@ struct TileRun {
         DepthBlock depth;
         ColorBlock color;
         std::fill(std::begin(depth.value), std::end(depth.value), w.depth);
-        for_each_block(tile, box(intersect(r.pixel_box, w.rect)),
-                       [&](std::size_t b, int bx, int by, std::uint32_t mask) {
-                           if (w.plane == Plane::Color) {
-                               for_each_lane(
-                                   tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-                                       set_lane(color, lane, w.colors[w.rect.index(x, y)]);
-                                   });
-                               process_fragments({&r, b, mask, true}, color, depth, tile, *counts);
-                               return;
-                           }
-                           counts->pixels += lane_count(mask);
-                           for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
-                               const std::uint32_t value = w.values[w.rect.index(x, y)];
-                               if (w.plane == Plane::Depth && r.depth_mask)
-                                   tile.depth[b].value[lane] = value;
-                               if (w.plane == Plane::Stencil)
-                                   write_stencil(r, tile.stencil[b], 1u << lane,
-                                                 [&](std::size_t) { return value; });
-                           });
-                       });
+        for_each_block(
+            tile, box(intersect(r.pixel_box, w.rect)),
+            [&](std::size_t b, int bx, int by, std::uint32_t mask) {
+                if (w.plane == Plane::Color) {
+                    for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                        set_lane(color, lane, w.colors[w.rect.index(x, y)]);
+                    });
+                    process_fragments({&r, b, mask, true, sample}, color, depth, tile, *counts);
+                    return;
+                }
+                counts->pixels += lane_count(mask);
+                for_each_lane(tile, bx, by, mask, [&](std::size_t lane, int x, int y) {
+                    const std::uint32_t value = w.values[w.rect.index(x, y)];
+                    if (w.plane == Plane::Depth && r.depth_mask) tile.depth[b].value[lane] = value;
+                    if (w.plane == Plane::Stencil)
+                        write_stencil(r, tile.stencil[b], 1u << lane,
+                                      [&](std::size_t) { return value; });
+                });
+            });
     }
 
     void run(const DrawPixelsOp& op) {
         const BlockBox& inside = box(op.placed->box());
         if (inside.empty()) return;
         if (!op.placed->is_stencil())
-            return draw_pixels({op.placed, &op.state, tile, inside, counts});
+            return draw_pixels({op.placed, &op.state, tile, inside, counts, sample});
         for_each_block(tile, inside, [&](std::size_t b, int bx, int by, std::uint32_t mask) {
             write_stencils(op, b, bx, by, mask);
         });
@@ -320,7 +339,7 @@ TileRunner::TileRunner(int threads) {
 }
 TileRunner::~TileRunner() = default;
 
-std::vector<OpCounts> TileRunner::run(const Segment& segment, Frame& frame,
+std::vector<OpCounts> TileRunner::run(const Segment& segment, std::span<Frame* const> frames,
                                       const Profile& profile) {
     for (auto& scratch : scratch_) {
         scratch->counts.assign(segment.count_slots.size(), {});
@@ -328,12 +347,18 @@ std::vector<OpCounts> TileRunner::run(const Segment& segment, Frame& frame,
     }
     parallel_for(segment.tiles.size(), int(scratch_.size()), [&](std::size_t i, int worker) {
         TileScratch& scratch = *scratch_[std::size_t(worker)];
-        TileRun run{profile, frame.tile(segment.tiles[i]), scratch};
+        TileRun run{profile, frames[0]->tile(segment.tiles[i]), scratch};
+        std::array<Tile, max_samples> samples;
+        if (frames.size() > 1) {
+            for (std::size_t k = 0; k < frames.size(); ++k)
+                samples[k] = frames[k]->tile(segment.tiles[i]);
+            run.samples = std::span(samples).first(frames.size());
+        }
         scratch.texels.clear();
         for (std::size_t k = segment.tile_start[i]; k < segment.tile_start[i + 1]; ++k) {
             const TileOp& op = segment.ops[segment.tile_ops[k]];
             run.counts = &scratch.counts[op.count_slot];
-            std::visit([&](const auto& o) { run.run(o); }, op.op);
+            std::visit([&](const auto& o) { run.run_on_samples(o); }, op.op);
         }
         scratch.records.clear();
     });

@@ -7,6 +7,7 @@
 #include "gw/fast/plan/tile_draw.h"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gw::fast {
@@ -18,8 +19,9 @@ public:
     explicit TileRunner(int threads);
     ~TileRunner();
 
-    /// Runs the operations of all tiles. Returns the counts by slot.
-    std::vector<OpCounts> run(const Segment& segment, Frame& frame, const Profile& profile);
+    /// Runs the operations of all tiles, on the frame of each sample. Returns the counts by slot.
+    std::vector<OpCounts> run(const Segment& segment, std::span<Frame* const> frames,
+                              const Profile& profile);
 
 private:
     std::vector<std::unique_ptr<TileScratch>> scratch_;  ///< by worker

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace gw {
 namespace {
@@ -56,12 +57,13 @@ SampleMask kept_samples(const Resolved& r, std::uint32_t alpha) {
 Planes one_of_each(std::span<const Planes> samples) {
     Planes mean = samples[0];
     const auto count = std::uint32_t(samples.size());
-    for (std::size_t i = 0; i < mean.color.size(); ++i)
-        for (std::size_t c = 0; c < 4; ++c) {
-            std::uint32_t sum = count / 2;
-            for (const Planes& sample : samples) sum += sample.color[i][c];
-            mean.color[i][c] = std::uint16_t(sum / count);
-        }
+    std::vector<std::array<std::uint32_t, 4>> sums(mean.color.size(),
+                                                   {count / 2, count / 2, count / 2, count / 2});
+    for (const Planes& sample : samples)
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            for (std::size_t c = 0; c < 4; ++c) sums[i][c] += sample.color[i][c];
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        for (std::size_t c = 0; c < 4; ++c) mean.color[i][c] = std::uint16_t(sums[i][c] / count);
     return mean;
 }
 

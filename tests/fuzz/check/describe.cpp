@@ -148,8 +148,9 @@ std::string text(const Read& c) {
 
 std::string text(const Query& c) { return fmt::format("Query {} begin {}", c.key, c.begin); }
 std::string text(const MakeSurface& c) {
-    return fmt::format("MakeSurface {} {}x{} planes {} depth_bits {}", c.number, c.surface.width,
-                       c.surface.height, c.surface.planes, c.surface.depth_bits);
+    return fmt::format("MakeSurface {} {}x{} planes {} depth_bits {} samples {}", c.number,
+                       c.surface.width, c.surface.height, c.surface.planes, c.surface.depth_bits,
+                       c.surface.samples);
 }
 std::string text(const UseSurface& c) { return fmt::format("UseSurface {}", c.number); }
 std::string text(const Blit& c) {

@@ -18,8 +18,7 @@ constexpr PlaneMask color_plane = mask_of(Plane::Color), depth_plane = mask_of(P
 class SampleBench : public test::Workbench {
 public:
     SampleBench(int samples, int width = 1, int height = 1, const Profile& profile = opengl())
-        : Workbench(make_reference(profile, width, height),
-                    make_reference(profile, width, height)) {
+        : Workbench(profile, width, height) {
         state.projection = dmat4(1);
         run(MakeSurface{1, {width, height, surface_planes, 0, samples}});
         run(UseSurface{1});
