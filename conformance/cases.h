@@ -39,6 +39,7 @@ Case separate_blend_case(Random& random);
 Case shadow_case(Random& random);
 Case stencil_case(Random& random);
 Case stipple_case(Random& random);
+Case samples_case(Random& random);
 Case surfaces_case(Random& random);
 Case texture_case(Random& random);
 Case texture_formats_case(Random& random);

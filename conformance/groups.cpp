@@ -136,6 +136,8 @@ const std::vector<Group>& all_groups() {
          surfaces_case, 40, color | depth | stencil, {&C::texels, &C::pixels, &C::depth_killed, &C::stencil_killed, &C::written}},
         {"points", "sizes of points by distance, sprites", "R9.31-R9.33",
          points_case, 32, color, {&C::texels, &C::written}},
+        {"samples", "surfaces with samples, drawn to and copied to the window", "R17.1-R17.7",
+         samples_case, 48, color | depth | stencil, {&C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
     };
     return all;
 }

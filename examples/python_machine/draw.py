@@ -1,7 +1,7 @@
 """[R1.9] A Draw from its mesh to fragments: chapters 6 to 12 in their order."""
 import numpy as np
 
-from . import antialiasing, fog
+from . import antialiasing, fog, samples
 from .color_sum import summed, sums_colors
 from .environment import environments
 from .fragments import FragmentStage
@@ -56,6 +56,9 @@ class PixelStage:
             self.run_smooth(pieces, s)
             return
         ready, = pieces
+        if samples.has_places(self.machine):
+            samples.draw(self, ready)
+            return
         x, y = covered(ready.corners, self.box, self.state, s, ready.steps)
         frame = Frame(ready.corners, s)
         if len(ready.corners) == 1 and self.state.point_sprite:
@@ -71,11 +74,11 @@ class PixelStage:
                 self.shade(ready, frame_of(ready.corners, s), c.x[here], c.y[here],
                            c.coverage[here])
 
-    def shade(self, ready, frame, x, y, coverage=None):
+    def shade(self, ready, frame, x, y, coverage=None, samples=None):
         bits = self.profile.color_bits
         if len(x) == 0:
             return
-        depths = self.depths(ready, frame, x, y)
+        depths = samples.depths if samples else self.depths(ready, frame, x, y)
         colors = self.colors(ready, frame, x, y, [c.color for c in ready.corners])
         colors = environments(colors, {
             unit: (stage.texels(frame, ready.corners, x, y), stage.texture.format)
@@ -87,7 +90,7 @@ class PixelStage:
             colors = fog.fogged(colors, self.fog_factors(ready, frame, x, y), self.fog, bits)
         if coverage is not None:
             colors = antialiasing.with_coverage(colors, coverage, self.profile.coverage_bits)
-        self.fragments.run(x, y, colors, depths, ready.front)
+        self.fragments.run(x, y, colors, depths, ready.front, samples.masks if samples else None)
 
     def depths(self, ready, frame, x, y):
         """[R9.11], [R9.12]"""

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
+from . import samples
 from .numbers import mul, one
 from .state import BlendEquation, BlendFactor, CompareFunc, DrawBuffer, StencilOp
 
@@ -115,11 +116,24 @@ class FragmentStage:
     def __init__(self, machine, resolved):
         self.machine, self.state = machine, resolved
         self.bits = machine.profile.color_bits
+        self.planes = machine.planes
 
-    def run(self, x, y, colors, depths, front):
-        """x, y: pixels, each once. colors: rows of R, G, B, A."""
-        state, planes, counters = self.state, self.machine.planes, self.machine.counters
-        counters["fragments"] += len(x)
+    def run(self, x, y, colors, depths, front, masks=None):
+        """x, y: pixels, each once. colors: rows of R, G, B, A. depths: one for all samples, or a
+        list by sample. masks: by sample, the fragments that cover it; None: all do [R17.2]."""
+        self.machine.counters["fragments"] += len(x)
+        kept, colors = samples.kept(self.machine, colors)
+        if masks is not None:
+            kept &= masks
+        for k, planes in enumerate(self.machine.surface.samples):
+            of_sample = depths[k] if isinstance(depths, list) else depths
+            here = kept[k]
+            self.planes = planes
+            self.run_sample(x[here], y[here], colors[here], of_sample[here], front)
+
+    def run_sample(self, x, y, colors, depths, front):
+        """[R17.5]"""
+        state, planes, counters = self.state, self.planes, self.machine.counters
         alive = compare(state.alpha_func, colors[:, 3], np.full(len(x), state.alpha_ref))
         counters["alpha_killed"] += count(~alive)
         x, y, colors, depths = x[alive], y[alive], colors[alive], depths[alive]
@@ -147,14 +161,14 @@ class FragmentStage:
 
     def update_stencil(self, face, name, x, y):
         """[R12.7]"""
-        plane, most = self.machine.planes.stencil, one(self.machine.profile.stencil_bits)
+        plane, most = self.planes.stencil, one(self.machine.profile.stencil_bits)
         stored = plane[y, x]
         new = stencil_operation(face.operations[name], stored, face.ref, most)
         plane[y, x] = (stored & ~face.write_mask) | (new & face.write_mask)
 
     def write_colors(self, x, y, colors):
         """[R12.13], [R12.16]"""
-        for plane in self.machine.planes.drawn(self.state.draw_buffer):
+        for plane in self.planes.drawn(self.state.draw_buffer):
             result = self.joined(colors, plane[y, x])
             for c, on in enumerate(self.state.color_mask):
                 if on:

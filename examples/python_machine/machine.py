@@ -51,7 +51,7 @@ class Machine:
 
     def __init__(self, profile, width, height):
         self.window_profile = profile
-        self.surfaces = {0: surfaces.Surface(width, height, 15, profile, Planes(width, height))}
+        self.surfaces = {0: surfaces.Surface(width, height, 15, profile, [Planes(width, height)])}
         self.use(0)
         self.state = State()
         self.slots, self.readbacks = {}, {}

@@ -27,7 +27,8 @@ def size_of(box):
 def visited(machine, plane, pixels, times=1):
     """[R14.7], [R14.8]"""
     machine.counters["pixels"] += pixels
-    machine.counters["bytes"] += times * pixels * machine.bytes_of[Plane(plane).name]
+    machine.counters["bytes"] += (times * pixels * len(machine.surface.samples)
+                                  * machine.bytes_of[Plane(plane).name])
 
 
 def times_written(machine, plane):
@@ -43,8 +44,13 @@ def plane_read(machine, plane):
 
 
 def store(machine, plane, x, y, values):
-    """Through the plane's mask, as Clear writes it [R13.2]."""
-    state, planes = machine.state, machine.planes
+    """Through the plane's mask, as Clear writes it [R13.2]; in all samples [R17.1]."""
+    for planes in machine.surface.samples:
+        store_in(machine, planes, plane, x, y, values)
+
+
+def store_in(machine, planes, plane, x, y, values):
+    state = machine.state
     if plane == Plane.Color:
         mask = state.color_mask
         for color in planes.drawn(state.draw_buffer):

@@ -188,6 +188,10 @@ class OuterFrame(Frame):
     def numerator(self, values, q):
         return AtMost(self.plane(values), q)
 
+    def sloped_plane(self, a0, Gx, Gy):
+        """[R17.3]"""
+        return LimitedPlane(super().sloped_plane(a0, Gx, Gy), 0, 2**30)
+
 
 @dataclass
 class IntegerPlane:

@@ -363,7 +363,7 @@ class Reader:
 
     def read_MakeSurface(self, c):
         return {"number": c.number, "width": c.width, "height": c.height, "planes": c.planes,
-                "depth_bits": c.depthBits}
+                "depth_bits": c.depthBits, "samples": c.samples}
 
     def read_UseSurface(self, c):
         return {"number": c.number}

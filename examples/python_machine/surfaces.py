@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from . import samples
 from .rasterization import rectangle
 from .state import (NO_DRAW_BUFFER, DrawBuffer, MagFilter, Plane, ReadBuffer, corners_of,
                     intersection, pixel_box)
@@ -20,7 +21,11 @@ class Surface:
     height: int
     has: int
     profile: Any
-    values: Any  # Planes
+    samples: list  # Planes of each; of a surface without samples, one [R17.1]
+
+    @property
+    def values(self):
+        return self.samples[0]
 
     def has_plane(self, plane):
         return self.has >> plane & 1 == 1
@@ -36,7 +41,8 @@ def make(machine, command):
         profile = replace(profile, depth_bits=command.depth_bits)
     machine.surfaces[command.number] = Surface(
         command.width, command.height, command.planes, profile,
-        type(machine.planes)(command.width, command.height))
+        [type(machine.planes)(command.width, command.height)
+         for _ in range(max(1, command.samples))])
 
 
 def use(machine, command):
@@ -57,6 +63,8 @@ def state_on(surface, state, number):
     if not surface.has_plane(Plane.Stencil):
         front = replace(state.stencil.front, write_mask=0)
         state.stencil = replace(state.stencil, test=False, front=front)
+    if len(surface.samples) > 1 and state.multisample.enable:  # [R17.2]
+        state.point_smooth = state.line_smooth = state.polygon_smooth = False
     return state
 
 
@@ -102,20 +110,30 @@ def blit(machine, command):
         both = source.has_plane(plane) and machine.surface.has_plane(plane)
         if not (command.planes >> plane & 1 and both):
             continue
-        values = source.values.of(plane)
-        if plane == Plane.Color and is_back(machine, command):
-            values = source.values.back
-        if plane == Plane.Color and command.filter == MagFilter.Linear:
-            copied = between(values, u, v, machine.profile.color_bits)
-        else:
-            copied = values[v >> 8, u >> 8].copy()
-        targets = [machine.planes.of(plane)] if plane != Plane.Color \
-            else machine.planes.drawn(machine.state.draw_buffer)
-        for to in targets:
-            to[y, x] = copied
+        for values, planes in zip(samples.given(source, plane, machine.surface),
+                                  machine.surface.samples):
+            if plane == Plane.Color and is_back(machine, command):
+                values = source.values.back
+            copy_plane(machine, command, plane, values, planes, (x, y, u, v))
+        written = len(machine.planes.drawn(machine.state.draw_buffer)) \
+            if plane == Plane.Color else 1
+        moved = (samples.samples_read(source, plane, machine.surface)
+                 + max(1, written) * len(machine.surface.samples))
         machine.counters["pixels"] += len(x)  # [R16.10]
-        machine.counters["bytes"] += ((1 + max(1, len(targets))) * len(x)
-                                      * machine.bytes_of[Plane(plane).name])
+        machine.counters["bytes"] += moved * len(x) * machine.bytes_of[Plane(plane).name]
+
+
+def copy_plane(machine, command, plane, values, planes, places_of):
+    """[R16.8], [R16.9]"""
+    x, y, u, v = places_of
+    if plane == Plane.Color and command.filter == MagFilter.Linear:
+        copied = between(values, u, v, machine.profile.color_bits)
+    else:
+        copied = values[v >> 8, u >> 8].copy()
+    targets = [planes.of(plane)] if plane != Plane.Color \
+        else planes.drawn(machine.state.draw_buffer)
+    for to in targets:
+        to[y, x] = copied
 
 
 def is_back(machine, command):
