@@ -52,16 +52,38 @@ struct Drawable {
         return planes;
     }
     void write() {
-        for (std::size_t k = 0; k < frames.size(); ++k) frames[k].write(planes[k]);
+        for (std::size_t k = 0; k < frames.size(); ++k)
+            frames[k].write(frames[k].whole(), planes[k]);
+    }
+    /// Some planes of a rectangle of each frame, which write_part() puts back.
+    std::vector<Planes> read_part(const Rect& rect, PlaneMask wanted, int threads) {
+        Planes part;
+        part.width = rect.width;
+        part.height = rect.height;
+        if (wanted & mask_of(Plane::Color)) part.color.resize(rect.area());
+        if (part.color.size() > 0 && profile.color_planes == 2) part.back = part.color;
+        if (wanted & mask_of(Plane::Depth)) part.depth.resize(rect.area());
+        if (wanted & mask_of(Plane::Stencil)) part.stencil.resize(rect.area());
+        std::vector<Planes> parts(frames.size(), part);
+        for (std::size_t k = 0; k < frames.size(); ++k) read(frames[k], rect, parts[k], threads);
+        return parts;
+    }
+    void write_part(const Rect& rect, std::span<const Planes> parts) {
+        for (std::size_t k = 0; k < frames.size(); ++k) frames[k].write(rect, parts[k]);
+        planes_are_current = false;
     }
 
 private:
     void read(Frame& frame, Planes& to, int threads) const {
         if (to.width == 0) to = Planes(surface);
+        read(frame, frame.whole(), to, threads);
+    }
+    static void read(Frame& frame, const Rect& rect, Planes& to, int threads) {
         frame.begin_read(to);
-        parallel_for(frame.grid().count(), threads, [&](std::size_t i, int) {
-            write_back_blocks(frame.tile(i));
-            frame.read(i, to);
+        const std::vector<std::size_t> tiles = frame.tiles_of(rect);
+        parallel_for(tiles.size(), threads, [&](std::size_t i, int) {
+            write_back_blocks(frame.tile(tiles[i]));
+            frame.read(tiles[i], rect, to);
         });
     }
 };
@@ -74,8 +96,8 @@ public:
           runner_(threads_),
           window_({width, height, all_planes}, profile, log2_tile_) {
         machine_.profile = profile;
-        machine_.surface_texels = [this](const SurfacePlane& plane) -> FastTexels& {
-            return texels_of(plane);
+        machine_.surface_texels = [this](const SurfacePlane& plane, bool compared) -> FastTexels& {
+            return texels_of(plane, compared && plane.plane == Plane::Depth);
         };
     }
 
@@ -142,21 +164,21 @@ private:
     }
     Resolved resolved() const { return resolve(machine_.state, used_->profile, used_->surface); }
 
-    FastTexels& texels_of(const SurfacePlane& from) {
-        const auto [found, is_new] = surface_texels_.try_emplace({from.surface, from.plane});
-        if (is_new) {
-            Drawable& surface = drawable(from.surface);
-            const Planes& planes = surface.read(threads_);
-            const Rect whole{0, 0, planes.width, planes.height};
-            found->second = make_fast_texels(
-                plane_texels(from.plane, whole, planes.color, planes, surface.profile));
-        }
-        return found->second;
+    /// The texels of a plane; in place: depths that are compared.
+    FastTexels& texels_of(const SurfacePlane& from, bool in_place) {
+        const auto [found, is_new] =
+            surface_texels_.try_emplace({from.surface, from.plane, in_place});
+        if (!is_new) return found->second;
+        Drawable& surface = drawable(from.surface);
+        if (in_place) return found->second = depths_in_place(surface.frames[0], surface.profile);
+        const Planes& planes = surface.read(threads_);
+        const Rect whole{0, 0, planes.width, planes.height};
+        return found->second = make_fast_texels(
+                   plane_texels(from.plane, whole, planes.color, planes, surface.profile));
     }
     void forget_texels(std::uint32_t number) {
-        if (surface_texels_.empty()) return;
-        surface_texels_.erase({number, Plane::Color});
-        surface_texels_.erase({number, Plane::Depth});
+        std::erase_if(surface_texels_,
+                      [&](const auto& plane) { return std::get<0>(plane.first) == number; });
     }
 
     void run_barrier(const BeginPass& command) {
@@ -216,24 +238,27 @@ private:
         count(0, 0);
     }
     void run_barrier(const Blit& command) {
-        const Resolved r = resolved();
+        Resolved r = resolved();
         Drawable& from = drawable(command.from_surface);
-        // Copies: it may be the target, too.
-        const std::vector<Planes> source =
-            blit_samples(from.read_samples(threads_), used_->surface);
-        const std::span<Planes> to = used_->read_samples(threads_);
+        const BlitParts parts = blit_parts(command, r.pixel_box, from.surface);
+        r.pixel_box = {0, 0, parts.target.width, parts.target.height};
         const Profile& p = used_->profile;
         const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+        // Copies: it may be the target, too.
+        const std::vector<Planes> source =
+            blit_samples(from.read_part(parts.source, planes, threads_), used_->surface);
+        std::vector<Planes> to = used_->read_part(parts.target, planes, threads_);
         for (const Plane plane : every_plane) {
             if ((planes & mask_of(plane)) == 0) continue;
             std::uint64_t pixels = 0;
             for (std::size_t k = 0; k < to.size(); ++k)
-                pixels =
-                    blit_plane(command, plane, {from.surface, source, machine_.state.read_buffer},
-                               k, r, p.color_bits, to[k]);
+                pixels = blit_plane(parts.blit, plane,
+                                    {from.surface, source, machine_.state.read_buffer}, k, r,
+                                    p.color_bits, to[k]);
             count(pixels, blit_bytes(plane, from.surface, used_->surface, r.state, p));
         }
-        write_planes();
+        used_->write_part(parts.target, to);
+        forget_texels(number_);
     }
     void run_barrier(const auto&) {}
 
@@ -250,7 +275,8 @@ private:
     std::map<std::uint32_t, Surface> made_;  ///< of surfaces_
     std::uint32_t number_ = 0;               ///< of the surface in use
     Drawable* used_ = &window_;
-    std::map<std::pair<std::uint32_t, Plane>, FastTexels> surface_texels_;
+    /// by surface and plane; whether in place
+    std::map<std::tuple<std::uint32_t, Plane, bool>, FastTexels> surface_texels_;
     MachineState machine_;
     SampleQueries queries_;
     ReadTargets next_targets_;

@@ -122,19 +122,23 @@ const std::array<std::uint32_t, 256>& mantissa_levels() {
 }
 
 TexelLevel& Texels::add_level(int width, int height, int layers) {
-    if (levels.empty()) any_size = is_any_size(width, height);
-    const std::size_t first = std::max(packed.size(), wide.size()),
-                      end = first + std::size_t(width) * std::size_t(height) * std::size_t(layers);
+    TexelLevel& level = add_empty_level(width, height, layers);
+    const std::size_t end = level.first + level.layer_size() * std::size_t(layers);
     if (bits == 8)
         packed.resize(end);
     else
         wide.resize(end);
+    return level;
+}
+
+TexelLevel& Texels::add_empty_level(int width, int height, int layers) {
+    if (levels.empty()) any_size = is_any_size(width, height);
     return levels.emplace_back(TexelLevel{width,
                                           height,
                                           layers,
                                           std::countr_zero(unsigned(width)),
                                           std::countr_zero(unsigned(height)),
-                                          first,
+                                          std::max(packed.size(), wide.size()),
                                           {}});
 }
 
@@ -236,10 +240,8 @@ Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressin
 
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
                             int i, int j, double border) {
-    i = wrap_index(how.wrap_s, i, level.width);
-    j = wrap_index(how.wrap_t, j, level.height);
-    return is_outside(level, i, j) ? std::uint32_t(quantize(border, texels.depth_bits))
-                                   : texels.depths[level.index(i, j)];
+    return nearest_depth(level, how, i, j, texels.depth_bits, border,
+                         [&](int x, int y) { return texels.depths[level.index(x, y)]; });
 }
 
 Rgba lookup(const Texels& texels, const TexelLevel& level, bool linear, const Addressing& how,

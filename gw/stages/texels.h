@@ -2,6 +2,7 @@
 // docs/manual/texture.md, "Textures". Does not interpolate coordinates: each machine does.
 #pragma once
 
+#include "gw/base/arithmetic.h"
 #include "gw/base/types.h"
 #include "gw/profile.h"
 #include "gw/state.h"
@@ -43,6 +44,8 @@ struct Texels {
 
     /// A level more, of black texels.
     TexelLevel& add_level(int width, int height, int layers = 1);
+    /// A level more, whose texels are kept elsewhere.
+    TexelLevel& add_empty_level(int width, int height, int layers = 1);
     void set(std::size_t index, const Rgba& texel) {
         if (bits == 8)
             packed[index] = gw::packed(texel);
@@ -125,7 +128,16 @@ int clamped_position(Wrap wrap, int u, int size);
 /// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
 int filter_index(Wrap wrap, int i, int size);
 
-/// The depth at texel (i, j) of a level that has depths; outside of it that of the border, 0 .. 1.
+/// The depth at texel (i, j) of a level, at(i, j) within it; outside of it that of the border, 0 .. 1.
+template <class At>
+std::uint32_t nearest_depth(const TexelLevel& level, const Addressing& how, int i, int j, int bits,
+                            double border, const At& at) {
+    i = wrap_index(how.wrap_s, i, level.width);
+    j = wrap_index(how.wrap_t, j, level.height);
+    const bool is_inside = i >= 0 && j >= 0 && i < level.width && j < level.height;
+    return is_inside ? at(i, j) : std::uint32_t(quantize(border, bits));
+}
+/// The same of texels that have depths.
 std::uint32_t nearest_depth(const Texels& texels, const TexelLevel& level, const Addressing& how,
                             int i, int j, double border);
 

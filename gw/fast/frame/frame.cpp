@@ -82,21 +82,22 @@ Tile Frame::tile(std::size_t index) {
 namespace {
 
 /// Calls visit(host index, block, lane, count) for each row of a tile's blocks that is in the
-/// window: so many pixels, one after the other.
+/// rectangle: so many pixels, one after the other.
 template <typename Visit>
-void for_each_row(const TileGrid& grid, std::size_t index, const Planes& planes,
-                  const Visit& visit) {
-    const int left = int(index % std::size_t(grid.columns())) << grid.log2_tile,
-              low = int(index / std::size_t(grid.columns())) << grid.log2_tile;
-    const int right = std::min(left + grid.side(), grid.width),
-              high = std::min(low + grid.side(), grid.height);
+void for_each_row(const TileGrid& grid, std::size_t index, const Rect& rect, const Visit& visit) {
+    const int tile_x = int(index % std::size_t(grid.columns())) << grid.log2_tile,
+              tile_y = int(index / std::size_t(grid.columns())) << grid.log2_tile;
+    const int left = std::max(tile_x, rect.x), low = std::max(tile_y, rect.y);
+    const int right = std::min(tile_x + grid.side(), rect.x + rect.width),
+              high = std::min(tile_y + grid.side(), rect.y + rect.height);
     for (int y = low; y < high; ++y) {
         const std::size_t row = index * grid.blocks_per_tile() +
-                                std::size_t((y - low) / block_side * grid.blocks_per_row());
-        for (int x = left; x < right; x += block_side)
-            visit(planes.index(x, y), row + std::size_t((x - left) / block_side),
-                  std::size_t(y % block_side * block_side),
-                  std::size_t(std::min(block_side, right - x)));
+                                std::size_t((y - tile_y) / block_side * grid.blocks_per_row());
+        for (int x = left, next = 0; x < right; x = next) {
+            next = std::min(x - x % block_side + block_side, right);
+            visit(rect.index(x, y), row + std::size_t((x - tile_x) / block_side),
+                  std::size_t(y % block_side * block_side + x % block_side), std::size_t(next - x));
+        }
     }
 }
 
@@ -108,51 +109,83 @@ void Frame::begin_read(Planes& planes) {
     std::fill(unused.begin(), unused.end(), Rgba{});
 }
 
-void Frame::read(std::size_t index, Planes& planes) const {
-    const bool front = in_use_ == Plane::Color, other = !other_color_.empty();
+void Frame::read(std::size_t index, const Rect& rect, Planes& planes) const {
+    const bool front = in_use_ == Plane::Color;
     std::vector<Rgba>&used = front ? planes.color : planes.back,
     &unused = front ? planes.back : planes.color;
+    const bool other = !other_color_.empty() && !unused.empty();
     const auto colors = [](const ColorBlock& block, std::size_t lane, std::size_t count, Rgba* to) {
         for (std::size_t k = 0; k < count; ++k)
             for (std::size_t c = 0; c < 4; ++c) to[k][c] = block.channel[c][lane + k];
     };
-    for_each_row(grid_, index, planes,
+    const bool has_depth = !planes.depth.empty(), has_stencil = !planes.stencil.empty();
+    for_each_row(grid_, index, rect,
                  [&](std::size_t i, std::size_t b, std::size_t lane, std::size_t n) {
-                     colors(color_[b], lane, n, &used[i]);
+                     if (!used.empty()) colors(color_[b], lane, n, &used[i]);
                      if (other) colors(other_color_[b], lane, n, &unused[i]);
-                     std::copy_n(depth_[b].value + lane, n, &planes.depth[i]);
-                     std::copy_n(stencil_[b].value + lane, n, &planes.stencil[i]);
-                     if (accum_.empty()) return;
+                     if (has_depth) std::copy_n(depth_[b].value + lane, n, &planes.depth[i]);
+                     if (has_stencil) std::copy_n(stencil_[b].value + lane, n, &planes.stencil[i]);
+                     if (accum_.empty() || planes.accum.empty()) return;
                      for (std::size_t k = 0; k < n; ++k)
                          for (std::size_t c = 0; c < 4; ++c)
                              planes.accum[i + k][c] = accum_[b].channel[c][lane + k];
                  });
 }
 
-void Frame::write(const Planes& planes) {
+void Frame::write(const Rect& rect, const Planes& planes) {
     const bool front = in_use_ == Plane::Color;
     const std::vector<Rgba>&used = front ? planes.color : planes.back,
           &unused = front ? planes.back : planes.color;
     const auto is_zero = [](const Rgba& color) { return color == Rgba{}; };
     if (other_color_.empty() && !std::all_of(unused.begin(), unused.end(), is_zero))
         need_other_color();
-    const bool other = !other_color_.empty();
+    const bool other = !other_color_.empty() && !unused.empty();
     const auto colors = [](const Rgba* from, std::size_t lane, std::size_t count,
                            ColorBlock& block) {
         for (std::size_t k = 0; k < count; ++k)
             for (std::size_t c = 0; c < 4; ++c) block.channel[c][lane + k] = from[k][c];
     };
+    const bool has_depth = !planes.depth.empty(), has_stencil = !planes.stencil.empty();
     const auto row = [&](std::size_t i, std::size_t b, std::size_t lane, std::size_t n) {
-        colors(&used[i], lane, n, color_[b]);
+        if (!used.empty()) colors(&used[i], lane, n, color_[b]);
         if (other) colors(&unused[i], lane, n, other_color_[b]);
-        std::copy_n(&planes.depth[i], n, depth_[b].value + lane);
-        std::copy_n(&planes.stencil[i], n, stencil_[b].value + lane);
-        if (accum_.empty()) return;
+        if (has_depth) std::copy_n(&planes.depth[i], n, depth_[b].value + lane);
+        if (has_stencil) std::copy_n(&planes.stencil[i], n, stencil_[b].value + lane);
+        if (accum_.empty() || planes.accum.empty()) return;
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t c = 0; c < 4; ++c)
                 accum_[b].channel[c][lane + k] = planes.accum[i + k][c];
     };
-    for (std::size_t tile = 0; tile < grid_.count(); ++tile) for_each_row(grid_, tile, planes, row);
+    for (const std::size_t tile : tiles_of(rect)) for_each_row(grid_, tile, rect, row);
+}
+
+std::vector<std::size_t> Frame::tiles_of(const Rect& rect) const {
+    std::vector<std::size_t> tiles;
+    if (rect.width <= 0 || rect.height <= 0) return tiles;
+    const int right = (rect.x + rect.width - 1) >> grid_.log2_tile,
+              high = (rect.y + rect.height - 1) >> grid_.log2_tile;
+    for (int row = rect.y >> grid_.log2_tile; row <= high; ++row)
+        for (int column = rect.x >> grid_.log2_tile; column <= right; ++column)
+            tiles.push_back(std::size_t(row * grid_.columns() + column));
+    return tiles;
+}
+
+std::uint32_t Frame::depth_at(int x, int y) const {
+    const int mask = grid_.side() - 1, i = x & mask, j = y & mask;
+    const int bx = i / block_side, by = j / block_side;
+    const std::size_t tile =
+        std::size_t((y >> grid_.log2_tile) * grid_.columns() + (x >> grid_.log2_tile));
+    const std::size_t first = tile * grid_.blocks_per_tile();
+    const int groups_per_row = grid_.side() / group_side;
+    const UniformGroup& group =
+        uniform_[first / (group_blocks * group_blocks) +
+                 std::size_t(by / group_blocks * groups_per_row + bx / group_blocks)];
+    const std::uint32_t k = Tile::in_group(bx, by);
+    if (group.one_depth >> k & 1) return group.depth[k];
+    if (group.one_plane >> k & 1)
+        return std::uint32_t(value_of(depth_planes_[tile][group.depth[k]], i, j));
+    return depth_[first + std::size_t(by * grid_.blocks_per_row() + bx)]
+        .value[j % block_side * block_side + i % block_side];
 }
 
 }  // namespace gw::fast

@@ -97,11 +97,17 @@ public:
     /// The front plane becomes the back plane and the reverse.
     void swap_colors() { in_use_ = in_use_ == Plane::Color ? Plane::Back : Plane::Color; }
 
-    /// Copies the planes out: begin_read, then each tile, in any order. All uniform blocks of the
-    /// planes in use must have been written back.
+    /// Copies a rectangle of the planes out: begin_read, then each tile, in any order. All uniform
+    /// blocks of the tile must have been written back, also for write(). `planes` has the
+    /// rectangle's size, and those planes that are wanted.
     void begin_read(Planes& planes);
-    void read(std::size_t tile, Planes& planes) const;
-    void write(const Planes& planes);
+    void read(std::size_t tile, const Rect& rect, Planes& planes) const;
+    void write(const Rect& rect, const Planes& planes);
+    Rect whole() const { return {0, 0, grid_.width, grid_.height}; }
+    std::vector<std::size_t> tiles_of(const Rect& rect) const;
+
+    /// The depth of a pixel, wherever it is stored.
+    std::uint32_t depth_at(int x, int y) const;
 
 private:
     void exchange_colors();

@@ -138,9 +138,10 @@ struct Planner {
         return texcoords.find_or_make(hash.value(), in, same_texcoords);
     }
 
-    FastTexels* texels(const TextureBinding& binding) {
+    /// `compared`: only its depths are wanted.
+    FastTexels* texels(const TextureBinding& binding, bool compared = false) {
         if (binding.slot) return &machine.slots.at(*binding.slot);
-        if (binding.surface) return &machine.surface_texels(*binding.surface);
+        if (binding.surface) return &machine.surface_texels(*binding.surface, compared);
         if (binding.texture.get() != last_texture) {
             last_texture = binding.texture.get();
             last_texels = &machine.texels.find_or_make(binding.texture, machine.profile);
@@ -153,8 +154,9 @@ struct Planner {
         for (in.unit = max_texture_units; in.unit-- > 0;) {
             const TextureBinding& map = map_of(draw, in.unit);
             if (!map.enabled()) continue;
-            units[in.unit] = {texels(map), texcoords_of(in),
-                              divides_by_q(texture_of(*in.state, in.unit), draw, in.unit)};
+            const TextureState& t = texture_of(*in.state, in.unit);
+            units[in.unit] = {texels(map, t.shadow_compare), texcoords_of(in),
+                              divides_by_q(t, draw, in.unit)};
             op.texels = units[in.unit].texels;
             op.texcoords = units[in.unit].texcoords;
             op.projective = units[in.unit].projective;
@@ -162,8 +164,8 @@ struct Planner {
         op.units = &units;
     }
     void bind_texture(DrawOp& op, const Draw& draw, const GroupDraws& in) {
-        FastTexels* const found = texels(draw.map);
         const TextureState& t = in.state->texture;
+        FastTexels* const found = texels(draw.map, t.shadow_compare);
         op.texels = found;
         op.projective = divides_by_q(t, draw);
         const bool one_by_one = op.projective || has_rare_lookup(t, found->texels);

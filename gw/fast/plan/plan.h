@@ -92,7 +92,7 @@ struct MachineState {
     std::map<std::uint32_t, FastTexels> slots;
     std::map<std::uint32_t, Plane> slot_planes;
     /// makes the texels that a surface's plane has now; valid until the segment ends
-    std::function<FastTexels&(const SurfacePlane&)> surface_texels;
+    std::function<FastTexels&(const SurfacePlane&, bool compared)> surface_texels;
     KeptTextures texels;
     std::map<std::uint32_t, Readback> readbacks;
     ReadTargets targets;  ///< of the list in execution

@@ -1,5 +1,7 @@
 #include "gw/fast/plan/texels.h"
 
+#include "gw/fast/frame/frame.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -89,6 +91,15 @@ FastTexels make_fast_texels(Texels texels) {
     for (std::size_t i = 0; i < texels.levels.size(); ++i)
         f.first[i] = std::int32_t(texels.levels[i].first);
     f.texels = std::move(texels);
+    return f;
+}
+
+FastTexels depths_in_place(const Frame& frame, const Profile& profile) {
+    FastTexels f;
+    f.frame = &frame;
+    f.texels.bits = profile.color_bits;
+    f.texels.depth_bits = profile.depth_bits;
+    f.texels.add_empty_level(frame.grid().width, frame.grid().height);
     return f;
 }
 

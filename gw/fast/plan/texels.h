@@ -12,6 +12,8 @@
 
 namespace gw::fast {
 
+class Frame;
+
 /// Texels (i, j) and (i, j + 1) of one level, as filter_texel() gives them. A bilinear filter mixes
 /// two pairs side by side.
 struct TexelPair {
@@ -30,9 +32,12 @@ struct FastTexels {
     Texels texels;
     std::array<std::int32_t, 16> first{};  ///< of each level, in texels
     std::deque<TexelPairs> pairs;          ///< made when asked for
+    const Frame* frame = nullptr;          ///< it has the depths, which `texels` lacks; null: no
 };
 
 FastTexels make_fast_texels(Texels texels);
+/// The depths of a surface's frame, which stay there: for comparison only.
+FastTexels depths_in_place(const Frame& frame, const Profile& profile);
 
 /// Takes parts over from a texture with the same levels, into the pairs too.
 void update(FastTexels& texels, const Texture& texture, std::span<const TexturePart> parts,

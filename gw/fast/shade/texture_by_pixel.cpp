@@ -31,11 +31,12 @@ struct PixelSampler {
     const TileDraw& draw;
     const TextureState& state;
     const ResolvedTexture& resolved;
-    const Texels& texels;
+    const FastTexels& fast;
     bool projective;
     int i, j;
     std::int32_t q = 1;
     float w = 1;
+    const Texels& texels = fast.texels;
 
     float over_q(const TexturePlane& t) const {
         return static_cast<float>(value_of(t.plane, i, j)) * w;
@@ -67,8 +68,13 @@ struct PixelSampler {
         const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
         const auto incoming =
             static_cast<std::uint32_t>(to_integer(std::floor(r), 0, max_of_bits(bits)));
-        return compare(state.compare_func, incoming,
-                       nearest_depth(texels, level, how(), u, v, state.border_color.x));
+        return compare(state.compare_func, incoming, stored_depth(level, u, v));
+    }
+    std::uint32_t stored_depth(const TexelLevel& level, int u, int v) const {
+        const double border = state.border_color.x;
+        if (!fast.frame) return nearest_depth(texels, level, how(), u, v, border);
+        return nearest_depth(level, how(), u, v, texels.depth_bits, border,
+                             [&](int x, int y) { return fast.frame->depth_at(x, y); });
     }
 
     float rho() const {
@@ -121,7 +127,7 @@ void sample_unit(const TexturePlanes& planes, const TileDraw& draw, std::size_t 
                            draw,
                            texture_of(draw.op->state.state, unit),
                            draw.op->state.texture(unit),
-                           op.texels->texels,
+                           *op.texels,
                            op.projective,
                            bx * block_side + lane % block_side,
                            by * block_side + lane / block_side};

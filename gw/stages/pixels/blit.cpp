@@ -45,6 +45,18 @@ PlaneMask blitted_planes(const Blit& blit, const Surface& from, const Surface& t
     return PlaneMask(blit.planes & from.planes & to.planes & surface_planes);
 }
 
+BlitParts blit_parts(const Blit& blit, const Rect& pixel_box, const Surface& from) {
+    const Rect& s = blit.source;  // and a pixel around it, for the linear filter
+    BlitParts parts{
+        intersect({s.x - 1, s.y - 1, s.width + 2, s.height + 2}, {0, 0, from.width, from.height}),
+        intersect(pixel_box, blit.target), blit};
+    parts.blit.source.x -= parts.source.x;
+    parts.blit.source.y -= parts.source.y;
+    parts.blit.target.x -= parts.target.x;
+    parts.blit.target.y -= parts.target.y;
+    return parts;
+}
+
 std::vector<Planes> blit_samples(std::span<const Planes> from, const Surface& to) {
     if (from.size() > 1 && to.samples == 0) return {one_of_each(from)};
     return {from.begin(), from.end()};

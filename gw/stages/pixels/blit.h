@@ -20,6 +20,13 @@ struct BlitSource {
 /// What a surface with these samples gives to one of `to` samples: all of them, or one of each pixel.
 std::vector<Planes> blit_samples(std::span<const Planes> from, const Surface& to);
 
+/// The rectangles that a blit reads and writes, and the same blit between planes of just these.
+struct BlitParts {
+    Rect source, target;
+    Blit blit;  ///< in pixels of `source` and `target`
+};
+BlitParts blit_parts(const Blit& blit, const Rect& pixel_box, const Surface& from);
+
 /// The planes that it names and both surfaces have.
 PlaneMask blitted_planes(const Blit& blit, const Surface& from, const Surface& to);
 
