@@ -2,6 +2,7 @@
 
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
+#include "gl/draw/targets.h"
 
 #include "gw/base/elementary.h"
 #include "gw/describe/opengl.h"
@@ -286,6 +287,10 @@ void set_attachments(gw::State& out, const Context& context) {
         out.color_mask = {false, false, false, false};
     else if (base_format(color->internal_format) == GL_RGB)
         out.color_mask.a = false;
+    const MultisampleState& m = context.state.multisample;
+    if (samples_of(context.framebuffers.draw) > 0)
+        out.multisample = {m.multisample, m.alpha_to_coverage, m.alpha_to_one,
+                           m.coverage,    m.coverage_value,    m.coverage_invert};
     if (!f.at(Plane::Depth).is_given()) out.depth.test = out.depth.mask = false;
     if (!f.at(Plane::Stencil).is_given()) {
         out.stencil.test = false;

@@ -19,9 +19,13 @@ OffScreen& off_screen(const Context& context) { return *context.shared->off_scre
 
 SurfaceImageRef new_image(const Context& context, const AttachedImage& of) {
     const GLint format = of.internal_format;
-    return std::make_shared<SurfaceImage>(context.shared->off_screen, of.width, of.height,
-                                          depth_bits_of(context.profile, format),
-                                          base_format(format) == GL_RGB);
+    return std::make_shared<SurfaceImage>(
+        context.shared->off_screen,
+        Surface{.width = of.width,
+                .height = of.height,
+                .depth_bits = depth_bits_of(context.profile, format),
+                .samples = of.samples},
+        base_format(format) == GL_RGB);
 }
 
 /// The image of an attachment, made when it is needed first. Precondition: the attachment is complete.
@@ -115,7 +119,7 @@ bool can_read(Context& context, Plane plane) {
     if (!can_read(context)) return false;
     const FramebufferRef& f = context.framebuffers.read;
     const bool is_off = plane == Plane::Color && context.state.pixel.read_buffer == GL_NONE;
-    if (!is_off && (!f || f->at(plane).is_given())) return true;
+    if (!is_off && samples_of(f) == 0 && (!f || f->at(plane).is_given())) return true;
     set_error(context, GL_INVALID_OPERATION);
     return false;
 }
@@ -160,7 +164,16 @@ void detach(Context& context, Attachment& attachment) {
     attachment = {};
 }
 
-int max_samples(const Context&) { return 0; }
+int most_samples(const Context& context) {
+    return context.profile.extensions.multisample ? max_samples : 0;
+}
+
+int samples_of(const FramebufferRef& framebuffer) {
+    if (framebuffer)
+        for (const Attachment& a : framebuffer->attachments)
+            if (const auto image = attached_image(a)) return image->samples;
+    return 0;
+}
 
 void finish_counts(Context& context) {
     if (context.shared->off_screen) context.shared->off_screen->finish_counts();

@@ -18,12 +18,12 @@ std::string next_name() {
 
 }  // namespace
 
-SurfaceImage::SurfaceImage(std::shared_ptr<OffScreen> on, int of_width, int of_height, int bits,
-                           bool opaque)
+SurfaceImage::SurfaceImage(std::shared_ptr<OffScreen> on, const Surface& kind, bool opaque)
     : machine(std::move(on)),
-      width(of_width),
-      height(of_height),
-      depth_bits(bits),
+      width(kind.width),
+      height(kind.height),
+      depth_bits(kind.depth_bits),
+      samples(kind.samples),
       is_opaque(opaque) {}
 
 SurfaceImage::~SurfaceImage() {
@@ -40,16 +40,18 @@ bool OffScreen::suits(std::uint32_t number, std::span<const ImagePlane> planes, 
     return surface.width == width && surface.height == height &&
            std::ranges::all_of(planes, [&](const ImagePlane& p) {
                const SurfaceImage* const owner = owners_[number - 1][std::size_t(p.plane)];
-               return surface.has(p.plane) && (owner == nullptr || owner == p.image) &&
+               return surface.has(p.plane) && surface.samples == p.image->samples &&
+                      (owner == nullptr || owner == p.image) &&
                       (p.plane != Plane::Depth || surface.depth_bits == p.image->depth_bits);
            });
 }
 
 std::uint32_t OffScreen::make(std::span<const ImagePlane> planes, int width, int height) {
     end_unused();
-    Surface made{width, height, 0, 0};
+    Surface made{.width = width, .height = height};
     for (const ImagePlane& p : planes) {
         made.planes |= mask_of(p.plane);
+        made.samples = p.image->samples;
         if (p.plane == Plane::Depth) made.depth_bits = p.image->depth_bits;
     }
     const auto free = std::ranges::find(surfaces_, 0, &Surface::width);
@@ -165,6 +167,13 @@ void OffScreen::write(const ImagePlane& p, std::vector<Rgba> colors,
                     .plane = p.plane,
                     .colors = std::move(colors),
                     .values = std::move(values)});
+}
+
+void OffScreen::write_from(const ImagePlane& p, std::uint32_t surface) {
+    const auto lock = exclusive();
+    use_plainly(surface_of(p, false));
+    const Rect all{0, 0, p.image->width, p.image->height};
+    add(Blit{.from_surface = surface, .planes = mask_of(p.plane), .source = all, .target = all});
 }
 
 Readback OffScreen::read_plane(const ImagePlane& p, Cause cause) {

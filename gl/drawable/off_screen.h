@@ -20,8 +20,8 @@ class OffScreen;
 
 /// The planes of an image that can be attached to a framebuffer. They are 0 at first.
 struct SurfaceImage {
-    SurfaceImage(std::shared_ptr<OffScreen> on, int width, int height, int depth_bits,
-                 bool is_opaque);
+    /// `kind`: sides, depth_bits and samples of its surfaces.
+    SurfaceImage(std::shared_ptr<OffScreen> on, const Surface& kind, bool is_opaque);
     ~SurfaceImage();
     SurfaceImage(const SurfaceImage&) = delete;
     SurfaceImage& operator=(const SurfaceImage&) = delete;
@@ -30,7 +30,7 @@ struct SurfaceImage {
 
     std::shared_ptr<OffScreen> machine;
     int width, height;
-    int depth_bits;
+    int depth_bits, samples;
     bool is_opaque;                           ///< alpha is 1 everywhere
     std::array<std::uint32_t, 3> surfaces{};  ///< of Color, Depth, Stencil; 0: on none yet
 };
@@ -59,6 +59,8 @@ public:
     /// Values for a whole plane: colours, or depths and stencil values.
     void write(const ImagePlane& plane, std::vector<Rgba> colors,
                std::vector<std::uint32_t> values);
+    /// Those of a surface, without its samples.
+    void write_from(const ImagePlane& plane, std::uint32_t surface);
     /// A whole plane.
     Readback read_plane(const ImagePlane& plane, Cause cause);
 

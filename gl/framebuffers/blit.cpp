@@ -89,10 +89,24 @@ struct ReadPlane {
     std::vector<std::uint32_t> values;
 };
 
+/// A plane with samples is resolved first.
+Readback read_resolved(Context& context, Plane plane, const Rect& all) {
+    if (samples_of(context.framebuffers.read) == 0) return read_raw(context, plane, all);
+    const TargetLock lock = lock_target(context, *context.read_drawable);
+    OffScreen& machine = *context.shared->off_screen;
+    SurfaceImage image(
+        context.shared->off_screen,
+        {.width = all.width, .height = all.height, .depth_bits = read_depth_bits(context)}, false);
+    const ImagePlane to{&image, plane};
+    const std::uint32_t from = read_surface(context, plane);
+    machine.write_from(to, from);
+    return machine.read_plane(to, Cause::Copy);
+}
+
 ReadPlane whole_plane(Context& context, Plane plane) {
     const FramebufferSize size = read_size(context);
     ReadPlane out{size.width, size.height, read_depth_bits(context), {}, {}};
-    Readback read = read_raw(context, plane, {0, 0, size.width, size.height});
+    Readback read = read_resolved(context, plane, {0, 0, size.width, size.height});
     out.colors = std::move(read.color);
     out.values.assign(read.values.begin(), read.values.end());
     return out;
@@ -100,7 +114,9 @@ ReadPlane whole_plane(Context& context, Plane plane) {
 
 /// Blits a plane that was read to an object. Its surface is in use.
 void blit_to_object(Context& context, gw::Blit blit, Plane plane, ReadPlane read) {
-    SurfaceImage image(context.shared->off_screen, read.width, read.height, read.depth_bits, false);
+    SurfaceImage image(context.shared->off_screen,
+                       {.width = read.width, .height = read.height, .depth_bits = read.depth_bits},
+                       false);
     image.machine->write({&image, plane}, std::move(read.colors), std::move(read.values));
     blit.from_surface = image.surface(plane);
     submit_command(context, blit);
@@ -158,6 +174,15 @@ void blit_plane(Context& context, gw::Blit blit, Plane plane) {
     if (f.draw && plane == Plane::Color) make_opaque(context, blit.target);
 }
 
+/// With samples, pixels are not scaled, and both have as many.
+bool suits_samples(const Context& context, const Axis& x, const Axis& y) {
+    const int from = samples_of(context.framebuffers.read),
+              to = samples_of(context.framebuffers.draw);
+    if (from == 0 && to == 0) return true;
+    return (from == 0 || to == 0 || from == to) && x.from_size() == x.to_size() &&
+           y.from_size() == y.to_size();
+}
+
 bool has_equal_depths(const Context& context, PlaneMask planes) {
     return (planes & mask_of(Plane::Depth)) == 0 ||
            draw_depth_bits(context) == read_depth_bits(context);
@@ -180,9 +205,9 @@ void blit_framebuffer(Context& context, GLint src_x0, GLint src_y0, GLint src_x1
         return set_error(context, GL_INVALID_FRAMEBUFFER_OPERATION);
     const PlaneMask planes = copied_planes(context, mask);
     if (!has_equal_depths(context, planes)) return set_error(context, GL_INVALID_OPERATION);
-    const Axis x = Axis{src_x0, src_x1, dst_x0, dst_x1}.clipped();
-    const Axis y = Axis{src_y0, src_y1, dst_y0, dst_y1}.clipped();
-    const auto blit = rectangles(x, y, filter);
+    const Axis x{src_x0, src_x1, dst_x0, dst_x1}, y{src_y0, src_y1, dst_y0, dst_y1};
+    if (!suits_samples(context, x, y)) return set_error(context, GL_INVALID_OPERATION);
+    const auto blit = rectangles(x.clipped(), y.clipped(), filter);
     if (!blit || context.selection.mode != GL_RENDER) return;
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil})
         if (planes & mask_of(plane)) blit_plane(context, *blit, plane);

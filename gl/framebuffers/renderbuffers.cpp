@@ -4,6 +4,7 @@
 #include "gl/draw/targets.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace gw::gl {
 
@@ -50,13 +51,16 @@ void renderbuffer_storage(Context& context, GLenum target, GLsizei samples, GLen
     if (target != GL_RENDERBUFFER || !is_renderable(context.profile, internal_format))
         return set_error(context, GL_INVALID_ENUM);
     const auto is_side = [](GLsizei side) { return side >= 0 && side <= max_surface_size; };
-    if (!is_side(width) || !is_side(height) || samples < 0 || samples > max_samples(context))
+    if (!is_side(width) || !is_side(height) || samples < 0 || samples > most_samples(context))
         return set_error(context, GL_INVALID_VALUE);
     Renderbuffer* const object = context.framebuffers.renderbuffer.get();
     if (object == nullptr) return set_error(context, GL_INVALID_OPERATION);
     begin_change(context);
     const auto lock = context.shared->exclusive();
-    *object = {object->name, internal_format, width, height, samples, nullptr};
+    const int given = samples == 0 ? 0 : std::max(2, int(std::bit_ceil(unsigned(samples))));
+    if (given * std::int64_t{width} * height > max_surface_samples)
+        return set_error(context, GL_OUT_OF_MEMORY);
+    *object = {object->name, internal_format, width, height, given, nullptr};
 }
 
 void get_renderbuffer_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params) {

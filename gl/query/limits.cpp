@@ -30,7 +30,7 @@ double size_step(const Profile& profile) { return profile.coverage_bits > 0 ? 0x
 void add_framebuffer_objects(StateVariables& t) {
     t[GL_MAX_RENDERBUFFER_SIZE] = [](Context&) { return whole(max_surface_size); };
     t[GL_MAX_COLOR_ATTACHMENTS] = [](Context&) { return whole(1); };
-    t[GL_MAX_SAMPLES] = [](Context& context) { return whole(max_samples(context)); };
+    t[GL_MAX_SAMPLES] = [](Context& context) { return whole(most_samples(context)); };
     t[GL_DRAW_FRAMEBUFFER_BINDING] = [](Context& context) {
         return whole(name_of(context.framebuffers.draw));
     };
@@ -93,8 +93,10 @@ void add_limits(StateVariables& t) {
     t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
         return number(size_step(context.profile));
     };
-    for (const GLenum name : {GL_SAMPLE_BUFFERS, GL_SAMPLES})
-        t[name] = [](Context&) { return whole(0); };
+    t[GL_SAMPLES] = [](Context& context) { return whole(samples_of(context.framebuffers.draw)); };
+    t[GL_SAMPLE_BUFFERS] = [](Context& context) {
+        return whole(samples_of(context.framebuffers.draw) > 0 ? 1 : 0);
+    };
     t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
     t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };
     t[GL_INDEX_MODE] = [](Context&) { return whole(GL_FALSE); };

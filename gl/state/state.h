@@ -300,7 +300,7 @@ struct TextureState {
     }
 };
 
-/// GL_MULTISAMPLE_BIT. No drawable has samples: it has no effect.
+/// GL_MULTISAMPLE_BIT. Only framebuffer objects may have samples.
 struct MultisampleState {
     bool multisample = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
     float coverage_value = 1;
