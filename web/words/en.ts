@@ -137,6 +137,7 @@ export const en = {
   lab_second: 'Beside it',
   lab_none: 'none',
   lab_level: 'Finest step',
+  lab_coming: 'The machine draws. Its pictures stand here in a moment.',
   lab_working: 'The machine works ...',
   lab_stop: 'Stop',
   lab_stopped: 'Stopped.',

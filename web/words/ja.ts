@@ -141,6 +141,7 @@ export const ja: Words = {
   lab_second: '並べて比べる',
   lab_none: 'なし',
   lab_level: '最も細かい段階',
+  lab_coming: 'マシンが描いています。まもなくここに画像が出ます。',
   lab_working: '機械が計算しています…',
   lab_stop: '止める',
   lab_stopped: '止めました。',

@@ -1,6 +1,7 @@
 // The words of the page of a recording, in English. A part of en.ts.
 export const report = {
   report_title: 'The passes of {0}',
+  facts_name: 'Of the whole recording',
   facts: 'passes: {0} · {1} × {2} pixels · profile {3} · {4} · estimated time on a VGX {5}',
   facts_part:
     'passes: {0} of {6} · {1} × {2} pixels · profile {3} · {4} · estimated time of these on a VGX {5}',

@@ -3,6 +3,7 @@ import type { report as english } from './report_en';
 
 export const report: Readonly<Record<keyof typeof english, string>> = {
   report_title: '{0} のパス',
+  facts_name: '記録の全体',
   facts: '{0} パス · {1} × {2} 画素 · プロファイル {3} · {4} · VGX での推定時間 {5}',
   facts_part:
     '{6} パスのうち {0} パス · {1} × {2} 画素 · プロファイル {3} · {4} · これらの VGX での推定時間 {5}',

@@ -16,6 +16,7 @@ import { linesOf, stepNameOf } from '../../articles/markup';
 import { articleOf, models, topics } from '../../articles/topics';
 import { parseLog } from '../../model/steps/log';
 import { Replay } from '../../model/steps/replay';
+import { barriersOf } from '../barriers';
 import { LearningPlatform, packagesOf } from '../platform';
 import { describePages } from './browser';
 
@@ -93,6 +94,17 @@ describe.skipIf(gw === '')('the page', () => {
           expect(await pages.textsOf('output.bound'), title).not.toContain('–');
           expect(await pages.excess(), title).toBeLessThanOrEqual(0);
         }
+    }, 300_000);
+
+    it('has no barriers that axe-core finds: in the list, with a run, a model and a film', async () => {
+      for (const address of [
+        'lang=en',
+        ...['visibility', 'back-faces', 'radiosity'].map((id) => `article=${id}&lang=ja`),
+      ]) {
+        await open(address);
+        await pages.page.waitForSelector('main li, figure canvas, figure svg, figure img');
+        expect(await barriersOf(pages.page), address).toEqual([]);
+      }
     }, 300_000);
 
     it('has links to the lab only if it is marked as standing beside it', async () => {

@@ -119,6 +119,22 @@ describePages('the player', (pages) => {
     expect(await pages.excess()).toBeLessThanOrEqual(0);
   });
 
+  it('has a larger picture on a projector', async () => {
+    const widthOf = async (look: string, width: number, height: number): Promise<number> => {
+      await open([text()], `#step=3&lang=en${look}`);
+      await pages.page.setViewport({ width, height });
+      await pages.excess(); // once it has been laid out
+      return pages.page.$eval('.stack', (e) => e.getBoundingClientRect().width);
+    };
+    for (const [width, height] of [
+      [1280, 720],
+      [1920, 1080],
+    ] as const)
+      expect(await widthOf('&projector=1', width, height)).toBeGreaterThan(
+        1.1 * (await widthOf('', width, height)),
+      );
+  });
+
   it('shows all of a step without scrolling on a projector of 1280x720', async () => {
     for (const logs of [[text()], [text(), text()]])
       for (const look of ['', '&projector=1'])

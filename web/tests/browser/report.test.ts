@@ -2,6 +2,7 @@
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { barriersOf } from '../barriers';
 import { describePages, type Pages } from './browser';
 
 const gw = process.env['GW'] ?? '';
@@ -113,6 +114,7 @@ describe.skipIf(gw === '')('a report', () => {
         /estimated time on a VGX\s*[\d.]+ (ms|µs|s)/,
       );
       expect(await pages.textOf('#state')).toContain('color_source');
+      expect(await barriersOf(pages.page)).toEqual([]);
     });
 
     it('has a picture of every plane, before, after and the difference', async () => {
