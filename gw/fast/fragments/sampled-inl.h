@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <span>
 
 HWY_BEFORE_NAMESPACE();
@@ -137,6 +138,10 @@ private:
         if ((any & inside) != 0) color_ = planes_.color_of(i_, bx, by, any & inside);
         for (std::uint32_t outside = any & ~inside; outside != 0; outside &= outside - 1) {
             const int lane = std::countr_zero(outside);
+            if (has_outer_colors_) {
+                shade_outer(outer_frame(draw_, center_, bx, by, lane), lane);
+                continue;
+            }
             const ColorBlock& outer =
                 outer_color(draw_, primitive_, outer_frame(draw_, center_, bx, by, lane), bx, by,
                             1u << lane, outer_);
@@ -147,6 +152,12 @@ private:
                 kept_by_alpha_[std::size_t(k)] = rules_.kept(k, color_, all_lanes);
         if (rules_.to_one)
             std::fill(std::begin(color_.channel[3]), std::end(color_.channel[3]), rules_.one);
+    }
+
+    void shade_outer(const PrimitiveFrame& at, int lane) {
+        if (!outer_colors_) outer_colors_.emplace(draw_, primitive_, center_);
+        const Rgba color = outer_colors_->at(at.pixel_x, at.pixel_y);
+        for (std::size_t c = 0; c < 4; ++c) color_.channel[c][lane] = color[c];
     }
 
     BatchPlanes& planes_;
@@ -162,6 +173,8 @@ private:
     ColorBlock color_{};
     SampleLanes kept_by_alpha_{};
     ShadeInputs outer_;
+    const bool has_outer_colors_ = OuterColors::applies_to(*draw_.op);
+    std::optional<OuterColors> outer_colors_;
 };
 
 /// The blocks that a triangle may touch with a sample: its centres reach half a pixel further.

@@ -92,6 +92,28 @@ struct Maker {
         out.color[c] = numerator(numerators(used(fractions), used(w()), 0).at);
     }
 
+    void outer(OuterColors& out) const {
+        const std::vector<Rgba>& from = op().colors->of(primitive);
+        out.constant = state().shade_model == ShadeModel::Flat;
+        if (out.constant) return void(out.low = from[primitive.provoking]);
+        const double max = max_of_bits(op().state.bits);
+        out.one = float(max);
+        out.perspective = op().perspective_color;
+        if (out.perspective) out.q = frame.limited_of(denominators(used(w())));
+        for (std::size_t c = 0; c < 4; ++c) {
+            const Values a =
+                gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
+            std::array<double, 3> fractions{};
+            for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
+            const auto [low, high] =
+                std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
+            out.low[c] = std::uint16_t(*low);
+            out.high[c] = std::uint16_t(*high);
+            out.color[c] = frame.limited_of(
+                out.perspective ? numerators(used(fractions), used(w()), 0).at : a);
+        }
+    }
+
     void fog(ColorPlanes& out) const {
         auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
         if (!op().fog_table) {
@@ -261,6 +283,31 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
     if (make.state().color_source == ColorSource::PolygonId) return;
     if (out.perspective || draw.op->fog_table) out.q = make.denominator();
     if (make.state().fog.enable) make.fog(out);
+}
+
+bool OuterColors::applies_to(const DrawOp& op) {
+    return op.colors && !op.texels && !op.fog && !has_rare_values(op);
+}
+
+OuterColors::OuterColors(const TileDraw& draw, const SetupPrimitive& primitive,
+                         const PrimitiveFrame& frame) {
+    Maker{draw, primitive, frame}.outer(*this);
+}
+
+Rgba OuterColors::at(std::int64_t x, std::int64_t y) const {
+    if (constant) return low;
+    Rgba out;
+    const std::int64_t denominator = perspective ? q.at(x, y) : 0;
+    const float w = perspective ? 1.0f / float(denominator) : 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+        std::int64_t v = color[c].at(x, y);
+        if (perspective)
+            v = std::clamp<std::int64_t>(
+                std::int64_t(std::nearbyint((float(std::min(v, denominator)) * w) * one)), low[c],
+                high[c]);
+        out[c] = std::uint16_t(v);
+    }
+    return out;
 }
 
 void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,

@@ -4,6 +4,7 @@
 
 #include "gw/fast/frame/frame.h"
 #include "gw/fast/frame/tile_plane.h"
+#include "gw/fast/raster/setup.h"
 #include "gw/stages/perspective.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 
 namespace gw::fast {
 
-struct PrimitiveFrame;
+struct DrawOp;
 struct SetupPrimitive;
 struct TileDraw;
 
@@ -140,6 +141,19 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
 /// Of a draw that has_rare_values().
 void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                       const PrimitiveFrame& frame, RarePlanes& out);
+/// A primitive's colours at pixels with outer centres, if nothing but the vertices makes them.
+struct OuterColors {
+    static bool applies_to(const DrawOp& op);
+    OuterColors(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
+    /// At a centre, in sub-pixels.
+    Rgba at(std::int64_t x, std::int64_t y) const;
+
+    bool perspective = false, constant = false;
+    Rgba low{}, high{};                 ///< of the vertices; `low` is the one colour
+    std::array<LimitedPlane, 4> color;  ///< numerators if `perspective`
+    LimitedPlane q;
+    float one = 255;
+};
 /// The size of a point.
 float point_size_of(const TileDraw& draw, const SetupPrimitive& primitive);
 /// The colour of a primitive's identifier.

@@ -29,15 +29,16 @@ std::array<int128, 2> PrimitiveFrame::gradients(const std::array<std::int64_t, 3
     return sliver ? exact_gradients(a) : std::array{gx, gy};
 }
 
-TilePlane PrimitiveFrame::limited_plane(const std::array<std::int64_t, 3>& a) const {
-    const auto g = gradients(a);
-    const int128 step = (g[0] * (pixel_x - x[base]) + g[1] * (pixel_y - y[base])) >> s;
-    const int128 value = ((int128{a[base]} << 16) + (1 << 15) + step) >> 16;
+LimitedPlane PrimitiveFrame::limited_of(const std::array<std::int64_t, 3>& a) const {
     const auto used = a.begin() + (kind == MeshKind::Triangles ? 3
                                    : kind == MeshKind::Lines   ? 2
                                                                : 1);
     const auto [low, high] = std::minmax_element(a.begin(), used);
-    TilePlane p = constant(std::int64_t(std::clamp<int128>(value, *low, *high)));
+    return {gradients(a), a[base], x[base], y[base], *low, *high, s};
+}
+
+TilePlane PrimitiveFrame::limited_plane(const std::array<std::int64_t, 3>& a) const {
+    TilePlane p = constant(limited_of(a).at(pixel_x, pixel_y));
     p.sliver = true;  // its gradients are not the primitive's
     return p;
 }

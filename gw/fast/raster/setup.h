@@ -7,6 +7,7 @@
 #include "gw/mesh.h"
 #include "gw/state.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -44,6 +45,20 @@ inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool
     return g;
 }
 
+/// A plane at pixels with outer centres (R9.28): limited to the values at the vertices.
+struct LimitedPlane {
+    std::array<int128, 2> gradients{};
+    std::int64_t a0 = 0, x0 = 0, y0 = 0, low = 0, high = 0;
+    int s = 3;
+
+    /// At a centre, in sub-pixels.
+    std::int64_t at(std::int64_t x, std::int64_t y) const {
+        const int128 step = (gradients[0] * (x - x0) + gradients[1] * (y - y0)) >> s;
+        const int128 value = ((int128{a0} << 16) + (1 << 15) + step) >> 16;
+        return static_cast<std::int64_t>(std::clamp<int128>(value, low, high));
+    }
+};
+
 /// The data of one primitive in one tile that all its planes share.
 struct PrimitiveFrame {
     MeshKind kind = MeshKind::Triangles;
@@ -73,6 +88,7 @@ struct PrimitiveFrame {
         }
         return constant(a[0]);
     }
+    LimitedPlane limited_of(const std::array<std::int64_t, 3>& a) const;
     /// A plane of a sprite, with these gradients.
     TilePlane sprite_plane(std::int64_t a, std::int64_t gx, std::int64_t gy) const {
         return at_tile(a, gx, gy, false);
