@@ -1,6 +1,7 @@
 #include "gl/record/recording.h"
 
 #include "gl/drawable/drawable.h"
+#include "gl/drawable/off_screen.h"
 #include "gl/record/restored_planes.h"
 #include "gw/error.h"
 
@@ -51,7 +52,21 @@ void Recording::attempt(Write write) {
     }
 }
 
+/// Surfaces that were drawn to before the recording begins are not in it.
+bool Recording::is_left_out(const Drawable& drawable) {
+    const auto* const machine = dynamic_cast<const OffScreen*>(&drawable);
+    if (machine == nullptr || machine->surfaces().empty()) return false;
+    if (left_out_.insert(drawable.name()).second)
+        std::fprintf(
+            stderr,
+            "gw: warning: '%s' is not recorded: it has drawn before frame %llu; expected a "
+            "recording from frame 0 on\n",
+            drawable.name().c_str(), static_cast<unsigned long long>(frames_.first));
+    return true;
+}
+
 void Recording::begin_window(Drawable& drawable) {
+    if (is_left_out(drawable)) return;
     writer_.open(drawable.name(), drawable.width(), drawable.height());
     windows_.insert(drawable.name());
     if (drawable.state() == nullptr) return;  // nothing was drawn before

@@ -38,13 +38,15 @@ private:
     template <class Write>
     void attempt(Write write);
     void begin_window(Drawable& drawable);
+    bool is_left_out(const Drawable& drawable);
 
     std::string file_;
     FrameRange frames_;
     std::ofstream out_;
     inspect::StreamWriter writer_;
     CallNamer namer_;
-    std::set<std::string> windows_;  ///< that are open in the recording
+    std::set<std::string> windows_;   ///< that are open in the recording
+    std::set<std::string> left_out_;  ///< not recorded
     bool failed_ = false;
 };
 
