@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gw::fast {
 namespace {
@@ -26,6 +27,7 @@ struct Maker {
     const TileDraw& draw;
     const SetupPrimitive& primitive;
     const PrimitiveFrame& frame;
+    mutable std::optional<TilePlane> made_denominator{};
 
     const DrawOp& op() const { return *draw.op; }
     const State& state() const { return op().state.state; }
@@ -46,7 +48,10 @@ struct Maker {
         return std::span(a).first(corners());
     }
 
-    TilePlane denominator() const { return frame.plane(denominators(used(w()))); }
+    const TilePlane& denominator() const {
+        if (!made_denominator) made_denominator = frame.plane(denominators(used(w())));
+        return *made_denominator;
+    }
 
     /// The plane of a numerator; at a pixel outside the primitive it is at most the denominator.
     TilePlane numerator(const Values& a) const {
