@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "gw/base/elementary_tables.h"
+#include "gw/base/powers.h"
 
 namespace gw {
 namespace {
@@ -37,11 +38,6 @@ double polynomial(double z, const double (&c)[n]) noexcept {
     double sum = c[n - 1];
     for (std::size_t i = n - 1; i-- > 0;) sum = c[i] + z * sum;
     return sum;
-}
-
-// 2^e for -1022 <= e <= 1023.
-double power_of_two(int e) noexcept {
-    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
 }
 
 // x * 2^e with one rounding, for x in (0.5, 2.5) and -1080 <= e <= 1024.

@@ -1,6 +1,7 @@
 #include "gw/stages/perspective.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/powers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,6 @@ namespace gw {
 namespace {
 
 constexpr double unit = 1073741824.0;  // 2^30
-
-double power_of_two(int e) { return std::ldexp(1.0, e); }
-
-/// Least e in [low, high] with 2^e >= v.
-int exponent_above(double v, int low, int high) {
-    int e = low;
-    while (e < high && power_of_two(e) < v) ++e;
-    return e;
-}
 
 /// The integer part of a wide coordinate and its exponent are limited to these powers of two.
 constexpr int widest_offset = 30, widest_exponent = 32;

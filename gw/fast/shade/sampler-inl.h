@@ -8,6 +8,7 @@
 #define GW_FAST_SAMPLER_INL_H_
 #endif
 
+#include "gw/base/powers.h"
 #include "gw/fast/shade/texels-inl.h"
 
 #include <algorithm>
@@ -16,9 +17,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
-
-/// 2^e, a normal number.
-inline double power_of_two(int e) { return std::bit_cast<double>(std::uint64_t(e + 1023) << 52); }
 
 /// A part of a block's coordinates, in vectors.
 struct Coordinates {

@@ -4,6 +4,7 @@
 #include "gw/fast/raster/primitive.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/powers.h"
 #include "gw/fast/plan/draw_op.h"
 #include "gw/fast/plan/texels.h"
 #include "gw/fast/plan/tile_draw.h"
@@ -20,8 +21,8 @@ namespace {
 
 int level_coordinate(const TexturePlane& t, float uw, int log2_size) {
     constexpr float limit = 1073741824.0f;
-    const float u =
-        std::floor(std::clamp(std::ldexp(uw, t.exponent + log2_size + 8), -limit, limit));
+    const auto scaled_u = static_cast<float>(times_power_of_two(uw, t.exponent + log2_size + 8));
+    const float u = std::floor(std::clamp(scaled_u, -limit, limit));
     return static_cast<int>(u) + t.k * (1 << (log2_size + 8));
 }
 
@@ -65,7 +66,7 @@ struct PixelSampler {
         const int bits = texels.depth_bits;
         const int u = position(p.s, level.width, state.wrap_s) >> 8;
         const int v = position(p.t, level.height, state.wrap_t) >> 8;
-        const double r = std::ldexp(double(over_q(p.r)), p.r.exponent + bits);
+        const double r = times_power_of_two(over_q(p.r), p.r.exponent + bits);
         const auto incoming =
             static_cast<std::uint32_t>(to_integer(std::floor(r), 0, max_of_bits(bits)));
         return compare(state.compare_func, incoming, stored_depth(level, u, v));
@@ -80,8 +81,8 @@ struct PixelSampler {
     float rho() const {
         const int dx = draw.tile.x + i - p.slope_x, dy = draw.tile.y + j - p.slope_y;
         const TexelLevel& base = texels.levels[std::size_t(base_level())];
-        const double s = std::ldexp(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
-        const double t = std::ldexp(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
+        const double s = times_power_of_two(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
+        const double t = times_power_of_two(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
         const float found = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
         return std::min(std::max(found * resolved.rho_scale, resolved.least_rho),
                         resolved.greatest_rho);
