@@ -85,6 +85,7 @@ int make_maps(const MapsOptions& options, Session& session) {
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording, session);
     const auto pass = pass_named(recording, options.pass);
+    warn_of_surfaces(recording, options.recording);
     progress.at("replaying on the reference machine");
     put_maps(recording, inspect::fragment_maps(recording, pass), options.folder, session);
     return Done;

@@ -48,6 +48,7 @@ int show_pixel(const PixelOptions& options, Session& session) {
             fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
                         options.x, options.y, recording.width, recording.height,
                         recording.width - 1, recording.height - 1));
+    warn_of_surfaces(recording, options.recording);
     progress.at("replaying on the reference machine");
     const int y = recording.height - 1 - options.y;
     auto events = inspect::pixel_history(recording, options.x, y);

@@ -5,6 +5,7 @@
 #include "gw/error.h"
 #include "hiddensurface/interface/algorithm.h"
 #include "inspect/replay/forwarding_machine.h"
+#include "inspect/replay/pixel_history.h"
 #include "inspect/report/report.h"
 #include "scene/draw/draw_commands.h"
 
@@ -148,6 +149,12 @@ inspect::Recording chosen(inspect::Stream stream, const RecordingChoice& choice)
 }
 
 }  // namespace
+
+void warn_of_surfaces(const inspect::Recording& recording, const RecordingChoice& choice) {
+    if (inspect::has_surfaces(recording))
+        print_warning(choice.file.string() +
+                      ": it draws to surfaces beside the window, whose pixels are left out");
+}
 
 inspect::Recording load_recording(const RecordingChoice& choice, Session& session) {
     return chosen(read_stream(choice, session), choice);

@@ -49,6 +49,9 @@ inspect::Recording load_recording(const RecordingChoice& choice, Session& sessio
 /// The same, with all windows if none is chosen.
 inspect::Stream load_windows(const RecordingChoice& choice, Session& session);
 
+/// Warns if it draws to surfaces beside the window: histories and maps are of the window alone.
+void warn_of_surfaces(const inspect::Recording& recording, const RecordingChoice& choice);
+
 /// Replays the recording and adds its manifest to the files of `output`. With values, adds
 /// "M.values" beside "M.json", unless `file` is a device.
 void put_manifest(image::OutputSet& output, const std::filesystem::path& file,

@@ -150,6 +150,14 @@ const char* name_of(Fate fate) {
     return "";
 }
 
+bool has_surfaces(const Recording& recording) {
+    return std::ranges::any_of(recording.lists, [](const CommandList& list) {
+        return std::ranges::any_of(list.commands, [](const Command& command) {
+            return std::holds_alternative<UseSurface>(command);
+        });
+    });
+}
+
 FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass) {
     const std::vector<std::uint32_t> none(std::size_t(recording.width) *
                                           std::size_t(recording.height));

@@ -1,5 +1,6 @@
 // The events of a pixel, in order; and the fragments of every pixel, counted by their fate. From
-// the reference machine, exact, in one run. Does not draw pictures.
+// the reference machine, exact, in one run. Pixels are the window's: what is drawn to surfaces beside
+// it has no events. Does not draw pictures.
 #pragma once
 
 #include "gw/reference/observer.h"
@@ -41,6 +42,9 @@ struct FragmentMaps {
     std::vector<std::uint32_t> written;  ///< that passed all tests: overdraw
     std::vector<std::uint32_t> alpha_killed, stencil_killed, depth_killed;
 };
+
+/// Whether commands draw to surfaces beside the window, which are in no history and no map.
+bool has_surfaces(const Recording& recording);
 
 /// Of one pass, or of all.
 FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass);

@@ -93,15 +93,20 @@ TEST(ReadTexture, ReadsWhatWritePictureWrote) {
 }
 
 TEST(ReadTexture, ReadsFilesAndFoldersOfAnyName) {
-    for (const char* name : {"r?1", "a?b=c", "per%cent", "#1", "a b", "a:b", "a*b", "[x]"}) {
-        const Folder folder;
+    const std::vector<const char*> names{"r?1", "a?b=c", "per%cent", "#1", "a b", "a:b", "a*b"};
+    const std::vector<const char*> extensions{".png", ".tif", ".exr", ".ppm"};
+    const Folder folder;
+    // Each name with one kind of file, and one name with all: every reading is a process.
+    std::vector<std::pair<std::string, std::string>> files;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        files.emplace_back(names[i], extensions[i % extensions.size()]);
+    for (const char* extension : extensions) files.emplace_back("[x]", extension);
+    for (const auto& [name, extension] : files) {
         std::filesystem::create_directory(folder / name);
-        for (const char* extension : {".png", ".tif", ".exr", ".ppm"}) {
-            const auto odd = folder / name / std::string(name).append(extension);
-            write_picture(
-                odd, {.width = 1, .height = 1, .channels = 3, .bits = 8, .values = {255, 0, 255}});
-            EXPECT_EQ(texels(odd).size(), 4u) << odd;
-        }
+        const auto odd = folder / name / (name + extension);
+        write_picture(odd,
+                      {.width = 1, .height = 1, .channels = 3, .bits = 8, .values = {255, 0, 255}});
+        EXPECT_EQ(texels(odd).size(), 4u) << odd;
     }
 }
 

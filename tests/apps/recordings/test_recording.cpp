@@ -152,6 +152,15 @@ TEST_F(Recordings, MapsShowWhereFragmentsWereMade) {
     expect_refused(1, {"maps", "t.gwt", "-o", "x", "--pass", "none"}, {"--pass 'none'"});
 }
 
+TEST_F(Recordings, HistoriesAndMapsSayThatSurfacesAreLeftOut) {
+    ASSERT_EQ(gw({"conformance", "suite", "--only", "surfaces"}).code, 0);
+    const std::string drawn = "suite/surfaces_01.gwt";
+    for (const auto& result : {gw({"maps", drawn, "-o", "maps"}), gw({"pixel", drawn, "0", "0"})}) {
+        EXPECT_EQ(result.code, 0);
+        EXPECT_NE(result.err.find("it draws to surfaces beside the window"), std::string::npos);
+    }
+}
+
 TEST_F(Recordings, BadFilesAreRefusedWithAReason) {
     ASSERT_EQ(record({"lamps.toml", "-o", "t.gwt", "--manifest", "m.json"}).code, 0);
     const std::string bytes = bytes_of(in("t.gwt"));

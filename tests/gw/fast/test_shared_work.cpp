@@ -173,14 +173,15 @@ TEST(SharedWork, AListMayHaveMoreVerticesThanASegment) {
     for (const DepthFunc func : {DepthFunc::Less, DepthFunc::Equal}) {
         bench.state.depth = {.test = true, .func = func, .mask = func == DepthFunc::Less};
         list.add(SetState{bench.state});
-        for (int i = 0; i < 1100; ++i) {
+        const int step = func == DepthFunc::Less ? 1 : 10;
+        for (int i = 0; i < 1100; i += step) {
             Draw draw{.mesh = mesh};
             draw.eye_from_object[3] = {i % 61, i % 53, i % 17, 1};
             list.add(draw);
         }
     }
     bench.run(list);
-    EXPECT_EQ(bench.take_counters().draws, 2200u);
+    EXPECT_EQ(bench.take_counters().draws, 1210u);
 }
 
 /// Only so many are kept ready for the filter.
