@@ -86,36 +86,37 @@ struct Maker {
                 out.color[c] = frame.plane(a);
         }
     }
-    void perspective(ColorPlanes& out, std::size_t c, const Values& a) const {
-        const double max = max_of_bits(op().state.bits);
-        std::array<double, 3> fractions{};
-        for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
+    /// The least and the greatest of a channel's values.
+    template <class Colors>
+    void keep_range(Colors& out, std::size_t c, const Values& a) const {
         const auto [low, high] =
             std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
         out.low[c] = std::uint16_t(*low);
         out.high[c] = std::uint16_t(*high);
-        out.color[c] = numerator(numerators(used(fractions), used(w()), 0).at);
+    }
+    Values color_numerators(const Values& a) const {
+        const double max = max_of_bits(op().state.bits);
+        std::array<double, 3> fractions{};
+        for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
+        return numerators(used(fractions), used(w()), 0).at;
+    }
+    void perspective(ColorPlanes& out, std::size_t c, const Values& a) const {
+        keep_range(out, c, a);
+        out.color[c] = numerator(color_numerators(a));
     }
 
     void outer(OuterColors& out) const {
         const std::vector<Rgba>& from = op().colors->of(primitive);
         out.constant = state().shade_model == ShadeModel::Flat;
         if (out.constant) return void(out.low = from[primitive.provoking]);
-        const double max = max_of_bits(op().state.bits);
-        out.one = float(max);
+        out.one = float(max_of_bits(op().state.bits));
         out.perspective = op().perspective_color;
         if (out.perspective) out.q = frame.limited_of(denominators(used(w())));
         for (std::size_t c = 0; c < 4; ++c) {
             const Values a =
                 gather<std::int64_t>([&](std::uint32_t v) { return std::int64_t{from[v][c]}; });
-            std::array<double, 3> fractions{};
-            for (std::size_t i = 0; i < corners(); ++i) fractions[i] = double(a[i]) / max;
-            const auto [low, high] =
-                std::minmax_element(a.begin(), a.begin() + std::ptrdiff_t(corners()));
-            out.low[c] = std::uint16_t(*low);
-            out.high[c] = std::uint16_t(*high);
-            out.color[c] = frame.limited_of(
-                out.perspective ? numerators(used(fractions), used(w()), 0).at : a);
+            keep_range(out, c, a);
+            out.color[c] = frame.limited_of(out.perspective ? color_numerators(a) : a);
         }
     }
 
