@@ -3,6 +3,7 @@
 #include "gw/base/cancel.h"
 #include "gw/error.h"
 #include "image/decoder_process.h"
+#include "image/memory_file.h"
 #include "image/png.h"
 #include "scene/text/number.h"
 #include "scene/text/text_file.h"
@@ -44,13 +45,22 @@ std::filesystem::path key_of(const std::filesystem::path& file) {
     return error ? file : real;
 }
 
-Loaded read_texture(const std::filesystem::path& file, DecoderProcess& decoder) {
+/// `name` is the texture's.
+Loaded read_texture(const std::filesystem::path& file, const std::string& name,
+                    DecoderProcess& decoder) {
     check_file(file);
     const Texels texels = holds_png(file) ? read_png(file) : decoder.read(file);
     const auto make = [&](const auto& rgba) {
-        return texture_of(file.filename().string(), texels.width, texels.height, rgba);
+        return texture_of(name, texels.width, texels.height, rgba);
     };
     return {std::visit(make, texels.rgba), texels.largest};
+}
+
+Loaded read_texture(const scene::Map& map, DecoderProcess& decoder) {
+    const std::string name = map.file.filename().string();
+    if (!map.bytes) return read_texture(map.file, name, decoder);
+    const MemoryFile inner(*map.bytes);
+    return read_texture(inner.path(), name, decoder);
 }
 
 class Loader {
@@ -60,7 +70,7 @@ public:
         const auto [found, is_new] = cache_.try_emplace(key_of(map.file));
         const std::string what = std::string(statement) + " " + map.file.string() + ": ";
         try {
-            if (is_new) found->second = read_texture(map.file, decoder_);
+            if (is_new) found->second = read_texture(map, decoder_);
         } catch (const Error& error) {
             throw Error(map.origin.file, map.origin.line, what + error.what());
         }
@@ -84,7 +94,7 @@ private:
 
 TextureRef read_texture(const std::filesystem::path& file) {
     DecoderProcess decoder;
-    return read_texture(file, decoder).texture;
+    return read_texture(file, file.filename().string(), decoder).texture;
 }
 
 std::vector<std::string> load_textures(scene::Scene& scene) {

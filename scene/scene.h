@@ -10,6 +10,7 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,6 +29,8 @@ struct Origin {
 struct Map {
     /// absolute or relative to the working directory; separators are '/'
     std::filesystem::path file;
+    /// the picture file itself, if it lies within another file; `file` is then a name for messages
+    std::shared_ptr<const std::string> bytes;
     Origin origin;
     Wrap wrap = Wrap::Repeat;  ///< MTL -clamp on: Clamp
     vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale

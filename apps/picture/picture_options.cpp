@@ -28,13 +28,14 @@ void add_textures(image::InputFiles& inputs, const scene::Scene& scene) {
     for (const scene::Material& m : scene.materials)
         for (const auto* maps :
              {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
-            for (const scene::Map& map : *maps) inputs.add(map.file);
+            for (const scene::Map& map : *maps)
+                if (!map.bytes) inputs.add(map.file);
 }
 
 }  // namespace
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-    command.add_option("SCENE", options.scene, "A TOML scene or a Wavefront OBJ file")
+    command.add_option("SCENE", options.scene, "A scene: TOML, Wavefront OBJ or glTF 2.0")
         ->required()
         ->type_name("FILE");
     for (const render::Option& option : render::options())

@@ -192,7 +192,7 @@ int study_hemicube(const StudyOptions& options, Session& session) {
 int study_of_passes(const StudyOptions& options, Session& session) {
     PassStudyOptions passes = options.passes;
     if (passes.picture.scene.empty())
-        throw UsageError("study passes: no SCENE; expected a TOML scene or a Wavefront OBJ file");
+        throw UsageError("study passes: no SCENE; expected a TOML, OBJ or glTF file");
     check(options);
     passes.output = options.output;
     passes.prices = options.prices;

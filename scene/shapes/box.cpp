@@ -26,11 +26,11 @@ MeshData face(dvec3 center, dvec3 right, dvec3 up, int columns, int rows) {
 }
 
 // The right and up directions of a face that looks along an axis; their cross product is that axis.
-struct Face {
+struct BoxFace {
     dvec3 out, right, up;
 };
 
-constexpr Face faces[6] = {
+constexpr BoxFace faces[6] = {
     {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},    //
     {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},   //
     {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},  //
@@ -41,7 +41,7 @@ constexpr Face faces[6] = {
 
 MeshData six_faces(dvec3 half, double turn, int segments) {
     MeshData mesh{.primitive = Primitive::Quads};
-    for (const Face& f : faces)
+    for (const BoxFace& f : faces)
         append(mesh, face(turn * f.out * half, f.right * half, f.up * half, segments, segments));
     return mesh;
 }

@@ -86,7 +86,7 @@ std::string file_fault(const fs::path& path) {
     return std::string("cannot be opened: ") + std::strerror(errno);
 }
 
-std::string read_text(const fs::path& path) {
+std::string read_bytes(const fs::path& path) {
     if (const std::string fault = file_fault(path); fault.starts_with("is "))
         throw Error(path.string(), 0, fault + "; expected a file");
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"),
@@ -100,6 +100,11 @@ std::string read_text(const fs::path& path) {
     std::string text = contents(in.get(), path, error ? 0xffff : std::size_t(size));
     if (std::ferror(in.get()))
         throw Error(path.string(), 0, "cannot be read to its end; expected a readable file");
+    return text;
+}
+
+std::string read_text(const fs::path& path) {
+    std::string text = read_bytes(path);
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         throw Error(path.string(), 1, "is UTF-16; expected UTF-8 text");
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);

@@ -11,9 +11,12 @@ namespace gw::scene {
 /// Bytes; a larger file is refused. Ten million triangles have about 800 MB.
 inline constexpr std::size_t most_text = std::size_t{2} << 30;
 
+/// The whole file as it is. Throws Error if the file is missing, a directory, a device or a pipe,
+/// larger than `most_text`, or unreadable.
+std::string read_bytes(const std::filesystem::path& path);
+
 /// The whole file without its UTF-8 byte order mark. If lines end in carriage returns alone, these
-/// become newlines. Throws Error if the file is missing, a directory, a device or a pipe, larger
-/// than `most_text`, unreadable, or UTF-16.
+/// become newlines. Throws Error as read_bytes does, and if the file is UTF-16.
 std::string read_text(const std::filesystem::path& path);
 
 /// False also for names that no file can have. Never throws.

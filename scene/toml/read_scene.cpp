@@ -2,6 +2,7 @@
 
 #include "scene/geometry/far.h"
 #include "scene/geometry/transform.h"
+#include "scene/gltf/read_gltf.h"
 #include "scene/obj/read_obj.h"
 #include "scene/scene_builder.h"
 #include "scene/text/statements.h"
@@ -30,15 +31,39 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     return {std::move(builder.scene), warnings.lines(), {}, warnings.files(), origin};
 }
 
+SceneFile read_bare_gltf(const std::filesystem::path& path) {
+    Warnings warnings;
+    GltfFile file = read_gltf(path, warnings);
+    return {std::move(file.scene), warnings.lines(), {}, warnings.files(), file.origin};
+}
+
+struct Format {
+    const char* extension;
+    SceneFile (*read)(const std::filesystem::path& path);
+};
+constexpr Format formats[] = {
+    {".toml", read_toml},
+    {".obj", read_bare_obj},
+    {".gltf", read_bare_gltf},
+    {".glb", read_bare_gltf},
+};
+
 }  // namespace
 
 SceneFile read_scene(const std::filesystem::path& path) {
     const std::string extension = lower(path.extension().string());
-    if (extension == ".toml") return read_toml(path);
-    if (extension == ".obj") return read_bare_obj(path);
+    std::string expected;
+    for (const Format& format : formats) {
+        if (extension == format.extension) return format.read(path);
+        const bool is_last = &format == std::end(formats) - 1;
+        expected += (expected.empty() ? ""
+                     : is_last        ? " or "
+                                      : ", ") +
+                    std::string(format.extension);
+    }
     read_text(path);
     throw Error(path.string(), 0,
-                "has the extension '" + printable(extension) + "'; expected .toml or .obj");
+                "has the extension '" + printable(extension) + "'; expected " + expected);
 }
 
 }  // namespace gw::scene

@@ -19,15 +19,15 @@ struct SceneFile {
     /// The tables of [[pass]], unread; multipass/passes/pass_toml.h reads them. The objects that
     /// they name exist.
     std::vector<TomlValue> passes;
-    /// Every file that was read: the scene, its OBJ and MTL files. Textures are read later.
+    /// Every file that was read: the scene, its OBJ and MTL files, its buffers. Textures are read later.
     std::vector<std::filesystem::path> files;
     /// The scene's coordinates are the files' minus this: 0 unless these lie far from 0, as map
     /// coordinates do (scene/geometry/far.h).
     dvec3 origin{0};
 };
 
-/// Reads a TOML scene (.toml) or a bare Wavefront OBJ (.obj; no lights, no camera), by the file's
-/// extension. Throws Error "file:line: what; expected what".
+/// Reads a TOML scene (.toml), a bare Wavefront OBJ (.obj; no lights, no camera) or glTF 2.0 (.gltf,
+/// .glb), by the file's extension. Throws Error "file:line: what; expected what".
 SceneFile read_scene(const std::filesystem::path& path);
 
 }  // namespace gw::scene

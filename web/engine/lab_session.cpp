@@ -110,6 +110,8 @@ Machine& LabSession::machine_for(const Json& options) {
 
 void LabSession::load_textures(scene::Scene& scene) const {
     for_each_map(scene, [&](scene::Map& map) {
+        if (map.bytes)
+            throw Error(map.file.string() + " lies within its file; expected it beside the scene");
         const auto found = pictures_.find(key_of(map.file));
         if (found == pictures_.end())
             throw Error(map.origin.file, map.origin.line,

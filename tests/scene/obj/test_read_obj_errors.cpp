@@ -143,7 +143,7 @@ TEST_F(ObjError, FilesThatAreNoScene) {
     EXPECT_EQ(folder.error([&] { read_scene(folder.path() / "d.obj"); }),
               "d.obj: is a directory; expected a file");
     EXPECT_EQ(folder.scene_error("a.png", "x"),
-              "a.png: has the extension '.png'; expected .toml or .obj");
+              "a.png: has the extension '.png'; expected .toml, .obj, .gltf or .glb");
 }
 
 }  // namespace gw::scene

@@ -1,0 +1,27 @@
+// Cameras and punctual lights at their nodes [GLTF2 3.10, KHR_lights_punctual]. Does not find nodes.
+#pragma once
+
+#include "scene/gltf/gltf_document.h"
+#include "scene/scene.h"
+
+namespace gw::scene {
+
+/// The camera of a value of `cameras`, placed by its node.
+Camera read_gltf_camera(const JsonValue& camera, const dmat4& world_from_node);
+
+/// A light whose place is in double, until the scene's origin is known.
+struct GltfLight {
+    Light light;  ///< without position; Id is linear, an illuminance / pi
+    dvec3 position{0};
+};
+
+/// The light of a value of KHR_lights_punctual's `lights`, placed by its node.
+GltfLight read_gltf_light(const GltfDocument& document, const JsonValue& light,
+                          const dmat4& world_from_node, const std::string& name);
+
+/// Encodes the lights' intensities as colours are. If they give more than 1 at `center`, all are
+/// divided by one number first, with a warning.
+std::vector<Light> exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
+                           const dvec3& center);
+
+}  // namespace gw::scene

@@ -1,0 +1,34 @@
+// Materials of glTF in MTL's words. docs/scenes.md, "glTF", has the rule. Does not read textures.
+#pragma once
+
+#include "scene/gltf/gltf_document.h"
+#include "scene/scene.h"
+
+namespace gw::scene {
+
+struct GltfMaterial {
+    Material material;
+    std::size_t texcoord_set = 0;  ///< of its maps
+};
+
+/// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as
+/// in sRGB, and beyond 1 by the same formula.
+vec3 encoded(const dvec3& linear);
+
+/// The material of a value of `materials`, its colour multiplied by `tint`. Warns of what is left
+/// out. Throws Error at the value's place.
+GltfMaterial read_gltf_material(const GltfDocument& document, const JsonValue& material,
+                                const std::string& name, const vec4& tint);
+
+/// The material of primitives without one [GLTF2 3.9.1].
+GltfMaterial default_gltf_material(const vec4& tint);
+
+/// Ks and Ns of the lobe whose height and width are those of GGX seen along the normal:
+/// F0 / (4 a^2), at most 1, and (2 / a^2 - 2) / 2.2, where a = roughness^2.
+struct Highlight {
+    vec3 Ks{0};
+    float Ns = 0;
+};
+Highlight highlight_of(const dvec3& F0, double roughness);
+
+}  // namespace gw::scene

@@ -1,0 +1,112 @@
+#include "scene/gltf/gltf_nodes.h"
+
+#include "scene/geometry/transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+template <class Vector>
+Vector numbers_of(const std::optional<JsonValue>& value, Vector v, Range range = placeable) {
+    if (!value) return v;
+    if (value->size() != std::size_t(Vector::length()))
+        value->fail("has " + std::to_string(value->size()) + " elements; expected " +
+                    std::to_string(Vector::length()));
+    for (int k = 0; k < Vector::length(); ++k) v[k] = (*value)[std::size_t(k)].number(range);
+    return v;
+}
+
+/// Of a quaternion x, y, z, w of any length but 0.
+dmat4 turned(dvec4 q, const JsonValue& value) {
+    const double size = std::sqrt(dot4(q, q));
+    if (size == 0) value.fail("is 0; expected a quaternion of length 1");
+    q /= size;
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    dmat4 m(1);
+    m[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0};
+    m[1] = {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0};
+    m[2] = {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y), 0};
+    return m;
+}
+
+dmat4 matrix_of(const JsonValue& value) {
+    if (value.size() != 16)
+        value.fail("has " + std::to_string(value.size()) + " elements; expected 16");
+    dmat4 m;
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = value[std::size_t(i)].number(placeable);
+    if (dvec4(m[0][3], m[1][3], m[2][3], m[3][3]) != dvec4(0, 0, 0, 1))
+        value.fail("is not affine; expected 0, 0, 0, 1 as its last row");
+    return m;
+}
+
+/// The roots of the default scene; of a file without scenes, all nodes that are no child.
+std::vector<std::size_t> roots_of(const GltfDocument& document) {
+    std::vector<std::size_t> roots;
+    const JsonValue& root = document.root();
+    if (document.count("scenes") > 0) {
+        const auto choice = root.find("scene");
+        const JsonValue scene = choice ? document.element("scenes", *choice) : root.at("scenes")[0];
+        if (document.count("scenes") > 1)
+            document.warn("scenes", "has " + std::to_string(document.count("scenes")) +
+                                        " scenes; " + scene.place() + " is drawn");
+        const auto list = scene.find("nodes");
+        for (std::size_t i = 0; list && i < list->size(); ++i) {
+            const JsonValue index = (*list)[i];
+            document.element("nodes", index);
+            roots.push_back(index.whole(0, document.count("nodes") - 1));
+        }
+        return roots;
+    }
+    std::vector<bool> is_child(document.count("nodes"), false);
+    for (std::size_t i = 0; i < is_child.size(); ++i)
+        if (const auto children = root.at("nodes")[i].find("children"))
+            for (std::size_t k = 0; k < children->size(); ++k)
+                is_child[(*children)[k].whole(0, is_child.size() - 1)] = true;
+    for (std::size_t i = 0; i < is_child.size(); ++i)
+        if (!is_child[i]) roots.push_back(i);
+    return roots;
+}
+
+}  // namespace
+
+dmat4 local_matrix(const JsonValue& node) {
+    const auto matrix = node.find("matrix"), rotation = node.find("rotation");
+    if (matrix) return matrix_of(*matrix);
+    dmat4 m = scaling(numbers_of(node.find("scale"), dvec3(1)));
+    if (rotation) m = turned(numbers_of(rotation, dvec4(0, 0, 0, 1), {-2, 2}), *rotation) * m;
+    return translation(numbers_of(node.find("translation"), dvec3(0))) * m;
+}
+
+std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
+    std::vector<GltfNode> placed, waiting;
+    std::vector<bool> is_placed(document.count("nodes"), false);
+    const auto wait = [&](const std::vector<std::size_t>& nodes, const dmat4& world) {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+            waiting.push_back({*node, world});
+    };
+    wait(roots_of(document), dmat4(1));
+    while (!waiting.empty()) {
+        GltfNode node = waiting.back();
+        waiting.pop_back();
+        const JsonValue json = document.root().at("nodes")[node.index];
+        if (is_placed[node.index])
+            json.fail("has two parents, or is in a circle; expected a tree of nodes");
+        is_placed[node.index] = true;
+        node.world_from_node = node.world_from_node * local_matrix(json);
+        for (int i = 0; i < 16; ++i)
+            if (!placeable.contains(node.world_from_node[i / 4][i % 4]))
+                json.fail("lies beyond 1e18, its parents included; expected less");
+        if (const auto children = json.find("children")) {
+            std::vector<std::size_t> indices;
+            for (std::size_t k = 0; k < children->size(); ++k)
+                indices.push_back((*children)[k].whole(0, is_placed.size() - 1));
+            wait(indices, node.world_from_node);
+        }
+        placed.push_back(node);
+    }
+    return placed;
+}
+
+}  // namespace gw::scene

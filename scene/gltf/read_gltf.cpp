@@ -1,0 +1,234 @@
+#include "scene/gltf/read_gltf.h"
+
+#include "gw/error.h"
+#include "scene/draw/fit.h"
+#include "scene/geometry/far.h"
+#include "scene/gltf/accessors.h"
+#include "scene/gltf/gltf_camera.h"
+#include "scene/gltf/gltf_material.h"
+#include "scene/gltf/gltf_mesh.h"
+#include "scene/gltf/gltf_nodes.h"
+#include "scene/scene_builder.h"
+#include "scene/text/suggest.h"
+#include "scene/validate/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <list>
+#include <map>
+
+namespace gw::scene {
+namespace {
+
+/// Extensions that are read, or that change nothing here.
+constexpr std::array known_extensions = std::to_array<std::string_view>({
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+});
+
+bool is_known(std::string_view extension) {
+    return std::ranges::find(known_extensions, extension) != known_extensions.end();
+}
+
+void check_extensions(const GltfDocument& document) {
+    const auto required = document.root().find("extensionsRequired");
+    for (std::size_t i = 0; required && i < required->size(); ++i)
+        if (!is_known((*required)[i].text()))
+            (*required)[i].fail_expected("only extensions that GW reads: a file without this one");
+    const auto used = document.root().find("extensionsUsed");
+    for (std::size_t i = 0; used && i < used->size(); ++i)
+        if (const std::string& name = (*used)[i].text(); !is_known(name))
+            document.warn("extension " + name, "extension " + printable(name) + " is left out");
+}
+
+std::string name_of(const JsonValue& value) {
+    const auto name = value.find("name");
+    return name && !name->text().empty() ? name->text() : value.place();
+}
+
+class GltfReader {
+public:
+    GltfReader(const std::filesystem::path& path, Warnings& warnings) : document_(path, warnings) {}
+
+    GltfFile read() {
+        check_extensions(document_);
+        builder_.scene.name = document_.path().stem().string();
+        for (const GltfNode& node : placed_nodes(document_)) add_node(node);
+        warn_left_out();
+        Scene& scene = builder_.scene;
+        if (scene.objects.empty())
+            throw Error(document_.file(), 0,
+                        "has nothing to draw; expected a scene with a node that has a mesh");
+        add_lights();
+        warn_invisible(scene, document_.file(), document_.warnings());
+        return {std::move(scene), place()};
+    }
+
+private:
+    /// One primitive of a mesh, read when a node first holds it.
+    struct Part {
+        MeshRef mesh;  ///< null: nothing to draw
+        std::size_t material = 0;
+    };
+
+    void add_node(const GltfNode& node) {
+        const JsonValue json = document_.root().at("nodes")[node.index];
+        if (const auto mesh = json.find("mesh")) add_mesh(node, json, *mesh);
+        if (const auto camera = json.find("camera")) add_camera(node, *camera);
+        if (const auto extensions = json.find("extensions"))
+            if (const auto light = extensions->find("KHR_lights_punctual"))
+                add_light(node, json, light->at("light"));
+    }
+
+    void add_mesh(const GltfNode& node, const JsonValue& json, const JsonValue& index) {
+        const JsonValue mesh = document_.element("meshes", index);
+        const std::string name = json.find("name") ? name_of(json) : name_of(mesh);
+        if (json.find("skin"))
+            document_.warn("skin", "object '" + printable(name) +
+                                       "': its skin is left out; it is drawn as it was modelled");
+        const auto fault = fault_of(node.world_from_node);
+        if (fault)
+            return document_.warn("singular", "object '" + printable(name) +
+                                                  "' is left out: its "
+                                                  "matrix is " +
+                                                  fault->is);
+        const auto parts = parts_.find(mesh.place());
+        const std::vector<Part>& found =
+            parts != parts_.end()
+                ? parts->second
+                : parts_.emplace(mesh.place(), read_parts(mesh, name)).first->second;
+        for (const Part& part : found) {
+            if (!part.mesh) continue;
+            if (builder_.scene.objects.size() == most_gltf_objects)
+                json.fail("is one more than " + std::to_string(most_gltf_objects) +
+                          " objects; expected fewer");
+            builder_.scene.objects.push_back({.name = name,
+                                              .mesh = part.mesh,
+                                              .material = part.material,
+                                              .world_from_object = node.world_from_node});
+        }
+    }
+
+    std::vector<Part> read_parts(const JsonValue& mesh, const std::string& name) {
+        std::vector<Part> parts;
+        const JsonValue primitives = mesh.at("primitives");
+        for (std::size_t i = 0; i < primitives.size(); ++i)
+            parts.push_back(read_part(primitives[i], name));
+        return parts;
+    }
+
+    Part read_part(const JsonValue& primitive, const std::string& name) {
+        count_numbers(primitive);
+        const auto material = primitive.find("material");
+        const std::size_t set = material ? material_of(*material, std::nullopt).texcoord_set : 0;
+        GltfMesh read = read_primitive(document_, primitive, set, name);
+        if (read.mesh.positions.empty()) return {};
+        const GltfMaterial& painted = material_of(material, read.mean_color);
+        const bool has_map = hardware_map_of(painted.material);
+        if (has_map && read.mesh.texcoords.empty())
+            document_.warn("no texcoords", "object '" + printable(name) +
+                                               "' has no texture coordinates of set " +
+                                               std::to_string(set) + " for its texture");
+        return {builder_.numbered(std::move(read.mesh), {document_.file(), 0}),
+                builder_.index_of(painted.material)};
+    }
+
+    static bool hardware_map_of(const Material& m) {
+        return !m.map_Kd.empty() || !m.map_Ke.empty();
+    }
+
+    /// Accessors may overlap, so a short file could ask for any amount of memory.
+    void count_numbers(const JsonValue& primitive) {
+        for (const std::string& key : primitive.at("attributes").keys())
+            numbers_ += count_of(document_, primitive.at("attributes").at(key));
+        if (const auto indices = primitive.find("indices"))
+            numbers_ += count_of(document_, *indices);
+        if (numbers_ > most_gltf_numbers)
+            primitive.fail("and those before it have more than " +
+                           std::to_string(most_gltf_numbers) + " elements; expected fewer");
+    }
+
+    /// Materials that a vertex colour tints are materials of their own.
+    const GltfMaterial& material_of(const std::optional<JsonValue>& index,
+                                    const std::optional<vec4>& tint) {
+        const vec4 color = tint.value_or(vec4(1));
+        const std::string place = index ? document_.element("materials", *index).place() : "";
+        const auto key = std::pair(place, std::array{color.x, color.y, color.z});
+        const auto found = materials_.find(key);
+        if (found != materials_.end()) return *found->second;
+        if (index) {
+            const JsonValue json = document_.element("materials", *index);
+            list_.push_back(read_gltf_material(document_, json, name_of(json), color));
+        } else {
+            list_.push_back(default_gltf_material(color));
+        }
+        return *materials_.emplace(key, &list_.back()).first->second;
+    }
+
+    void add_camera(const GltfNode& node, const JsonValue& index) {
+        const JsonValue json = document_.element("cameras", index);
+        const Camera camera = read_gltf_camera(json, node.world_from_node);
+        if (builder_.scene.camera)
+            return document_.warn("cameras", "has several cameras; the first one is used, and " +
+                                                 printable(name_of(json)) + " is left out");
+        builder_.scene.camera = camera;
+    }
+
+    void add_light(const GltfNode& node, const JsonValue& json, const JsonValue& index) {
+        const JsonValue lights =
+            document_.root().at("extensions").at("KHR_lights_punctual").at("lights");
+        if (lights.size() == 0) index.fail_expected("an index into lights, which are none");
+        const JsonValue light = lights[index.whole(0, lights.size() - 1)];
+        lights_.push_back(read_gltf_light(document_, light, node.world_from_node, name_of(json)));
+    }
+
+    /// A file without lights is lit as a bare OBJ file is, though something emits.
+    void add_lights() {
+        Scene& scene = builder_.scene;
+        const Bounds box = bounds(scene);
+        const dvec3 center = box.low / 2.0 + box.high / 2.0;
+        scene.lights = exposed(document_, lights_, center);
+        if (scene.lights.empty())
+            scene.lights.push_back(
+                default_light(scene.camera ? *scene.camera : fit_camera(box, 4, 3)));
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            scene.lights[i].position = vec3(lights_[i].position);
+    }
+
+    /// The origin that the scene counts from.
+    dvec3 place() {
+        Scene& scene = builder_.scene;
+        const dvec3 origin = far_origin(scene);
+        if (origin == dvec3(0)) return origin;
+        count_from(scene, origin);
+        for (std::size_t i = 0; i < lights_.size(); ++i)
+            scene.lights[i].position = vec3(lights_[i].position - origin);
+        return origin;
+    }
+
+    void warn_left_out() const {
+        if (document_.count("animations") > 0)
+            document_.warn("animations", "its animations are left out; it is drawn at rest");
+    }
+
+    GltfDocument document_;
+    SceneBuilder builder_;
+    std::map<std::string, std::vector<Part>> parts_;
+    std::list<GltfMaterial> list_;
+    std::map<std::pair<std::string, std::array<float, 3>>, const GltfMaterial*> materials_;
+    std::vector<GltfLight> lights_;
+    std::size_t numbers_ = 0;
+};
+
+}  // namespace
+
+GltfFile read_gltf(const std::filesystem::path& path, Warnings& warnings) {
+    return GltfReader(path, warnings).read();
+}
+
+}  // namespace gw::scene
