@@ -150,7 +150,8 @@ void GltfDocument::read_buffers() {
             owned_.push_back(found.bytes);
             bytes = *owned_.back();
         } else if (i > 0 || !binary_.data()) {
-            buffer.fail("has no uri; expected one, or a GLB file with a second chunk");
+            buffers_.emplace_back();  // of an extension; an error if a view is read
+            continue;
         }
         const JsonValue length = buffer.at("byteLength");
         const std::size_t size = length.whole(1, std::size_t{1} << 52);
@@ -164,8 +165,9 @@ void GltfDocument::read_buffers() {
 std::string_view GltfDocument::bytes_of_view(const JsonValue& index) const {
     const JsonValue view = element("bufferViews", index);
     const JsonValue buffer = view.at("buffer");
-    element("buffers", buffer);
+    const JsonValue named = element("buffers", buffer);
     const std::string_view bytes = buffers_[buffer.whole(0, buffers_.size() - 1)];
+    if (!bytes.data()) named.fail("has no uri; expected one, or a GLB file with a second chunk");
     const auto offset = view.find("byteOffset");
     const std::size_t begin = offset ? offset->whole(0, bytes.size()) : 0;
     return bytes.substr(begin, view.at("byteLength").whole(1, bytes.size() - begin));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/scene/folder.h"
+#include "tests/scene/gltf/gltf_text.h"
 
 #include <cstdint>
 
@@ -61,6 +62,10 @@ void damage(const std::string& name, const std::string& text, const std::string&
 
 TEST(DamagedFiles, OfObjStatements) { damage("m.obj", obj, "m.obj"); }
 TEST(DamagedFiles, OfMtlStatements) { damage("m.mtl", mtl, "m.obj"); }
+TEST(DamagedFiles, OfGltfFiles) { damage("m.gltf", triangle_gltf(), "m.gltf"); }
+TEST(DamagedFiles, OfGlbFiles) {
+    damage("m.glb", glb(triangle_json(""), triangle_bytes()), "m.glb");
+}
 TEST(DamagedFiles, OfTomlScenes) { damage("s.toml", toml, "s.toml"); }
 
 }  // namespace gw::scene

@@ -1,0 +1,253 @@
+// Claims: a glTF file's meshes, places, materials, lights and cameras become those of a scene, by the
+// rules of docs/scenes.md.
+#include <gtest/gtest.h>
+
+#include "tests/scene/folder.h"
+#include "tests/scene/gltf/gltf_text.h"
+
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+struct Gltf : testing::Test {
+    Folder folder;
+
+    Scene scene(const std::string& text) {
+        const SceneFile file = read_scene(folder.write("m.gltf", text));
+        warnings.clear();
+        for (const std::string& line : file.warnings) warnings.push_back(folder.relative(line));
+        return file.scene;
+    }
+    /// The material of the triangle, whose JSON this is.
+    Material material(const std::string& json) {
+        std::string text =
+            replaced(triangle_gltf(), R"("indices": 1)", R"("indices": 1, "material": 0)");
+        text = replaced(text, R"("meshes")", "\"materials\": [" + json + "], \"meshes\"");
+        const Scene s = scene(text);
+        return s.materials.at(s.objects.at(0).material);
+    }
+    /// The triangle's file with a light and a camera at its node.
+    Scene lit(const std::string& node, const std::string& light) {
+        std::string text = replaced(
+            triangle_gltf(), R"("mesh": 0)",
+            "\"mesh\": 0" + node + R"(, "extensions": {"KHR_lights_punctual": {"light": 0}})");
+        return scene(replaced(
+            text, R"("scene": 0)",
+            R"("scene": 0, "extensions": {"KHR_lights_punctual": {"lights": [)" + light + "]}}"));
+    }
+    Strings warnings;
+};
+
+/// IEC 61966-2-1, in the library's own functions.
+float srgb(double v) {
+    return float(v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
+}
+
+#define EXPECT_NEAR_3(v, a, b, c) \
+    EXPECT_NEAR((v).x, a, 1e-6);  \
+    EXPECT_NEAR((v).y, b, 1e-6);  \
+    EXPECT_NEAR((v).z, c, 1e-6)
+
+}  // namespace
+
+TEST_F(Gltf, ATriangleIsAnObjectWithAFlatNormal) {
+    const Scene s = scene(triangle_gltf());
+    ASSERT_EQ(s.objects.size(), 1u);
+    EXPECT_EQ(s.objects[0].name, "leaf");
+    const MeshData& mesh = s.objects[0].mesh->data();
+    EXPECT_EQ(mesh.positions, (std::vector<vec3>{{0, 0, 0}, {2, 0, 0}, {0, 3, 0}}));
+    EXPECT_EQ(mesh.normals, (std::vector<vec3>(3, {0, 0, 1})));
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(Gltf, AGlbFileIsTheSameScene) {
+    const auto file = folder.write("m.glb", glb(triangle_json(""), triangle_bytes()));
+    EXPECT_EQ(read_scene(file).scene.objects.at(0).mesh->data(),
+              scene(triangle_gltf()).objects.at(0).mesh->data());
+}
+
+TEST_F(Gltf, ABufferIsAFileBesideIt) {
+    folder.write("a b.bin", triangle_bytes());
+    const auto file = folder.write("m.gltf", triangle_json(R"(, "uri": "a%20b.bin")"));
+    const SceneFile read = read_scene(file);
+    EXPECT_EQ(read.scene.objects.at(0).mesh->data().positions.at(2), vec3(0, 3, 0));
+    EXPECT_EQ(read.files, (std::vector{file, folder.path() / "a b.bin"}));
+}
+
+TEST_F(Gltf, NodesTurnScaleAndMoveWhatIsBelowThem) {
+    const std::string nodes =
+        R"({"translation": [10, 0, 0], "children": [1]}, {"rotation": [0, 0, 1, 0], "scale": [2, 2, 2], "children": [2]}, {"name": "leaf", "mesh": 0})";
+    const Scene s = scene(replaced(triangle_gltf(), R"({"name": "leaf", "mesh": 0})", nodes));
+    const dvec4 p = s.objects.at(0).world_from_object * dvec4(2, 3, 1, 1);
+    EXPECT_EQ(p, dvec4(10 - 4, -6, 2, 1));
+}
+
+TEST_F(Gltf, NodesOfOneMeshShareIt) {
+    std::string text = replaced(
+        triangle_gltf(), R"({"name": "leaf", "mesh": 0})",
+        R"({"name": "leaf", "mesh": 0}, {"mesh": 0, "matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 5,6,7,1]})");
+    const Scene s = scene(replaced(text, R"("nodes": [0])", R"("nodes": [0, 1])"));
+    ASSERT_EQ(s.objects.size(), 2u);
+    EXPECT_EQ(s.objects[0].mesh, s.objects[1].mesh);
+    EXPECT_EQ(s.objects[1].name, "meshes[0]");
+    EXPECT_EQ(s.objects[1].world_from_object[3], dvec4(5, 6, 7, 1));
+}
+
+TEST_F(Gltf, ModesAreTheMachinesPrimitives) {
+    const std::string with = "\"indices\": 1, \"mode\": ";
+    const auto mesh = [&](int mode) {
+        return scene(replaced(triangle_gltf(), R"("indices": 1)", with + std::to_string(mode)))
+            .objects.at(0)
+            .mesh;
+    };
+    EXPECT_EQ(mesh(0)->points().size(), 3u);
+    EXPECT_EQ(mesh(1)->lines().size(), 1u);
+    EXPECT_EQ(mesh(2)->lines().size(), 3u);
+    EXPECT_EQ(mesh(3)->lines().size(), 2u);
+    for (const int mode : {4, 5, 6}) EXPECT_EQ(mesh(mode)->triangles().size(), 1u) << mode;
+}
+
+TEST_F(Gltf, ASparseAccessorReplacesElements) {
+    const std::string bytes =
+        triangle_bytes() + std::string("\1\0", 2) + bytes_of<float>({7, 8, 9});
+    std::string text =
+        replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""), "42", "56");
+    text = replaced(text, R"("byteLength": 6})",
+                    R"("byteLength": 6}, {"buffer": 0, "byteOffset": 42, "byteLength": 2},
+                    {"buffer": 0, "byteOffset": 44, "byteLength": 12})");
+    text = replaced(
+        text, R"("type": "VEC3")",
+        R"("type": "VEC3", "sparse": {"count": 1, "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 3}})");
+    EXPECT_EQ(scene(text).objects.at(0).mesh->data().positions,
+              (std::vector<vec3>{{0, 0, 0}, {7, 8, 9}, {0, 3, 0}}));
+}
+
+TEST_F(Gltf, TextureCoordinatesGrowUpwards) {
+    const std::string bytes = triangle_bytes() + std::string("\0\0\0\xff\xff\0", 6);
+    std::string text =
+        replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""), "42", "48");
+    text = replaced(text, R"("byteLength": 6})",
+                    R"("byteLength": 6}, {"buffer": 0, "byteOffset": 42, "byteLength": 6})");
+    text = replaced(text, R"("type": "SCALAR"})", R"("type": "SCALAR"},
+        {"bufferView": 2, "componentType": 5121, "count": 3, "type": "VEC2", "normalized": true})");
+    text = replaced(text, R"("POSITION": 0)", R"("POSITION": 0, "TEXCOORD_0": 2)");
+    EXPECT_EQ(scene(text).objects.at(0).mesh->data().texcoords,
+              (std::vector<vec2>{{0, 1}, {0, 0}, {1, 1}}));
+}
+
+TEST_F(Gltf, AMetalHasNoDiffusePartAndARoughSurfaceAWideHighlight) {
+    const Material rough = material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5}})");
+    EXPECT_NEAR_3(rough.Ka, srgb(0.5), srgb(0.2), 0);
+    EXPECT_NEAR_3(rough.Kd, srgb(0.5), srgb(0.2), 0);
+    EXPECT_NEAR_3(rough.Ks, srgb(0.16), srgb(0.16), srgb(0.16));  // 0.04 / (4 / 16)
+    EXPECT_NEAR(rough.Ns, 30 / 2.2, 1e-5);                        // 2 / (1 / 16) - 2
+    const Material metal = material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.25, 1], "roughnessFactor": 0.5}})");
+    EXPECT_EQ(metal.Kd, vec3(0));
+    EXPECT_NEAR_3(metal.Ks, 1, srgb(0.5), srgb(0.25));
+}
+
+TEST_F(Gltf, AnUnlitMaterialEmitsItsColour) {
+    const Material m = material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})");
+    EXPECT_NEAR_3(m.Ke, srgb(0.5), srgb(0.2), 0);
+    EXPECT_EQ(m.Ka, vec3(0));
+    EXPECT_EQ(m.Kd, vec3(0));
+    EXPECT_EQ(m.Ks, vec3(0));
+}
+
+TEST_F(Gltf, AlphaModesSetTheOpacity) {
+    const std::string alpha = R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, 0.25]})";
+    EXPECT_EQ(material(alpha + "}").d, 1);
+    EXPECT_EQ(material(alpha + R"(, "alphaMode": "BLEND"})").d, 0.25f);
+    EXPECT_EQ(material(alpha + R"(, "alphaMode": "MASK", "alphaCutoff": 0.2})").d, 1);
+    EXPECT_EQ(material(alpha + R"(, "alphaMode": "MASK"})").d, 0);
+}
+
+TEST_F(Gltf, AnEmbeddedPictureIsKeptAsItsBytes) {
+    std::string text =
+        replaced(triangle_gltf(), R"("indices": 1)", R"("indices": 1, "material": 0)");
+    text = replaced(
+        text, R"("meshes")",
+        R"("textures": [{"source": 0, "sampler": 0}], "samplers": [{"wrapS": 33071, "wrapT": 33071}],
+                    "images": [{"uri": "data:image/png;base64,QUJD"}],
+                    "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0,
+                    "extensions": {"KHR_texture_transform": {"scale": [2, 4], "offset": [0.5, 0.25]}}}}}], "meshes")");
+    const Scene s = scene(text);
+    const Map& map = s.materials.at(s.objects.at(0).material).map_Kd.at(0);
+    EXPECT_EQ(*map.bytes, "ABC");
+    EXPECT_EQ(folder.relative(map.file.string()), "m.gltf: images[0]");
+    EXPECT_EQ(map.wrap, Wrap::Clamp);
+    EXPECT_EQ(map.scale, vec2(2, 4));
+    EXPECT_EQ(map.offset, vec2(0.5f, 1 - 4 - 0.25f));
+    EXPECT_EQ(
+        warnings,
+        (Strings{"m.gltf: object 'leaf' has no texture coordinates of set 0 for its texture"}));
+}
+
+TEST_F(Gltf, LightsShineAlongTheirNodesMinusZ) {
+    const std::string turned =
+        R"(, "rotation": [-0.7071067811865476, 0, 0, 0.7071067811865476], "translation": [1, 5, 0])";
+    const Scene sun = lit(
+        turned, R"({"type": "directional", "intensity": 3.141592653589793, "color": [1, 0.5, 0]})");
+    ASSERT_EQ(sun.lights.size(), 1u);
+    EXPECT_EQ(sun.lights[0].name, "leaf");
+    EXPECT_EQ(sun.lights[0].kind, LightKind::Directional);
+    EXPECT_NEAR_3(sun.lights[0].direction, 0, -1, 0);
+    EXPECT_NEAR_3(sun.lights[0].Id, 1, srgb(0.5), 0);
+    const Scene spot = lit(
+        turned,
+        R"({"type": "spot", "spot": {"innerConeAngle": 0, "outerConeAngle": 0.5235987755982988}})");
+    EXPECT_EQ(spot.lights.at(0).position, vec3(1, 5, 0));
+    EXPECT_NEAR(spot.lights[0].cone_angle, 30, 1e-9);
+    // cos^e of the angle whose square of (cos - cos 30) / (1 - cos 30) is a half
+    const double middle = std::cos(std::acos(-1) / 6) * (1 - std::sqrt(0.5)) + std::sqrt(0.5);
+    EXPECT_NEAR(std::pow(middle, double(spot.lights[0].spot_exponent)), 0.5, 1e-6);
+}
+
+TEST_F(Gltf, LightsBeyondWhiteAreDividedByOneNumber) {
+    const Scene s =
+        lit("", R"({"type": "directional", "intensity": 31.41592653589793, "color": [1, 0.5, 0]})");
+    EXPECT_NEAR_3(s.lights.at(0).Id, 1, srgb(0.5), 0);
+    EXPECT_EQ(
+        warnings,
+        (Strings{
+            "m.gltf: its lights give 10 times white in the middle of the scene; expected at most 1, so all are divided by it"}));
+}
+
+TEST_F(Gltf, TheFirstCameraIsTheEye) {
+    std::string text = replaced(triangle_gltf(), R"("mesh": 0)",
+                                R"("mesh": 0, "camera": 0, "translation": [0, 0, 9])");
+    text = replaced(
+        text, R"("scene": 0)",
+        R"("scene": 0, "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5235987755982988, "znear": 0.5}}])");
+    const Camera camera = scene(text).camera.value();
+    EXPECT_EQ(camera.eye, dvec3(0, 0, 9));
+    EXPECT_EQ(camera.at, dvec3(0, 0, 8));
+    EXPECT_EQ(camera.up, dvec3(0, 1, 0));
+    EXPECT_NEAR(camera.fov, 30, 1e-9);
+    EXPECT_EQ(camera.near_plane, 0.5);
+    EXPECT_EQ(camera.far_plane, 0);
+}
+
+TEST_F(Gltf, WhatIsLeftOutIsOneWarningEach) {
+    std::string text = replaced(triangle_gltf(), R"("scene": 0)",
+                                R"("scene": 0, "extensionsUsed": ["EXT_new"], "animations": [{}])");
+    text = replaced(text, R"("indices": 1)", R"("indices": 1, "targets": [], "material": 0)");
+    text = replaced(text, R"("mesh": 0)", R"("mesh": 0, "skin": 0)");
+    text = replaced(text, R"("meshes")",
+                    R"("materials": [{"name": "bark", "normalTexture": {"index": 0}}], "meshes")");
+    scene(text);
+    EXPECT_EQ(
+        warnings,
+        (Strings{
+            "m.gltf: extension EXT_new is left out",
+            "m.gltf: object 'leaf': its skin is left out; it is drawn as it was modelled",
+            "m.gltf: material 'bark': its normalTexture is left out",
+            "m.gltf: object 'leaf': morph targets are left out; it is drawn in its first shape",
+            "m.gltf: its animations are left out; it is drawn at rest"}));
+}
+
+}  // namespace gw::scene
