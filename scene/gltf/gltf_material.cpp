@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace gw::scene {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr Range unit_range{0, 1};
 /// F0 of a dielectric of index 1.5.
 constexpr double dielectric = 0.04;
-/// The exponent that stands for sRGB's curve.
-constexpr double display_gamma = 2.2;
 
 dvec3 color_of(const std::optional<JsonValue>& value, const dvec3& standard,
                Range range = unit_range) {
@@ -30,6 +29,10 @@ double number_of(const std::optional<JsonValue>& value, double standard, Range r
 
 double encoded_number(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+double decoded(double shown) {
+    return shown <= 0.04045 ? shown / 12.92 : pow((shown + 0.055) / 1.055, 2.4);
 }
 
 /// What a material is before it has MTL's words.
@@ -48,9 +51,10 @@ void set_words(const Physical& p, Material& material) {
     }
     const dvec3 F0 =
         glm::mix(glm::min(p.F0_tint * (dielectric * p.specular), dvec3(1)), p.base, p.metallic);
-    const Highlight highlight = highlight_of(F0, p.roughness);
+    const dvec3 diffuse = p.base * (1 - p.metallic);
+    const Highlight highlight = highlight_of(F0, diffuse, p.roughness);
     material.Ka = base;
-    material.Kd = encoded(p.base * (1 - p.metallic));
+    material.Kd = encoded(diffuse);
     material.Ks = highlight.Ks;
     material.Ns = highlight.Ns;
     material.Ke = encoded(p.emissive);
@@ -239,12 +243,21 @@ vec3 encoded(const dvec3& linear) {
             float(encoded_number(linear.z))};
 }
 
-Highlight highlight_of(const dvec3& F0, double roughness) {
+Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) {
     constexpr double sharpest = 0.01, most_Ns = 10000;
     const double a2 = std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
     const dvec3 peak = F0 / (4 * a2);
-    const double most = std::max({peak.x, peak.y, peak.z, 1.0});
-    return {encoded(peak / most), float(std::min((2 / a2 - 2) / display_gamma, most_Ns))};
+    const dvec3 lit = diffuse + peak;
+    const double most = std::max({lit.x, lit.y, lit.z, 1.0});  // beyond white it keeps its hue
+    Highlight out{encoded(glm::max(lit / most, diffuse)) - encoded(diffuse), 0};
+
+    // Where the strongest channel has half its height on the display: GGX is (a2 / root)^2 there.
+    const int k = peak.x >= peak.y && peak.x >= peak.z ? 0 : peak.y >= peak.z ? 1 : 2;
+    const double half = decoded(encoded_number(diffuse[k]) + double(out.Ks[k]) / 2) - diffuse[k];
+    const double root = std::sqrt(half / peak[k]);
+    const double cos2 = (1 - a2 / root) / (1 - a2);
+    if (a2 < 1 && root > a2) out.Ns = float(std::min(log(0.25) / log(cos2), most_Ns));
+    return out;
 }
 
 GltfMaterial read_gltf_material(const GltfDocument& document, const JsonValue& material,

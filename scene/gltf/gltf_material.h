@@ -23,12 +23,12 @@ GltfMaterial read_gltf_material(const GltfDocument& document, const JsonValue& m
 /// The material of primitives without one [GLTF2 3.9.1].
 GltfMaterial default_gltf_material(const vec4& tint);
 
-/// Ks and Ns of the lobe whose height and width are those of GGX seen along the normal:
-/// F0 / (4 a^2), at most 1, and (2 / a^2 - 2) / 2.2, where a = roughness^2.
+/// Ks and Ns of the lobe that looks, on a display and beside the diffuse part, as high and at half of
+/// its height as wide as GGX seen along the normal: F0 / (4 a2) high, where a2 = roughness^4.
 struct Highlight {
     vec3 Ks{0};
     float Ns = 0;
 };
-Highlight highlight_of(const dvec3& F0, double roughness);
+Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness);
 
 }  // namespace gw::scene

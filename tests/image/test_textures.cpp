@@ -8,6 +8,8 @@
 #include "tests/judge/judge.h"
 
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace gw::image {
@@ -143,6 +145,22 @@ TEST(ReadTexture, RefusesSidesThatATextureCannotHave) {
     write_raw<std::uint8_t>(folder / "wide.png", max_texture_size + 1, 1, 1,
                             std::vector<std::uint8_t>(max_texture_size + 1));
     EXPECT_EQ(refusal(folder / "wide.png"), "it has 4097 x 1 pixels; expected sides of 1 to 4096");
+}
+
+TEST(LoadTextures, ReadsPicturesThatLieWithinAFile) {
+    const Folder folder;
+    const std::vector<std::uint8_t> values{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+    for (const char* name : {"a.png", "a.tif"}) {
+        write_raw<std::uint8_t>(folder / name, 2, 2, 3, values);
+        std::ifstream in(folder / name, std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+        scene::Scene scene = scene_with_map("m.glb: images[0]");
+        scene.materials[0].map_Kd[0].bytes = std::make_shared<const std::string>(bytes);
+        load_textures(scene);
+        const TextureRef texture = scene.materials[0].map_Kd[0].texture;
+        EXPECT_EQ(texture->levels[0].rgba, TexelValues(texels(folder / name))) << name;
+        EXPECT_EQ(texture->name, "m.glb: images[0]");
+    }
 }
 
 TEST(LoadTextures, NamesTheFileAndLineThatAsk) {

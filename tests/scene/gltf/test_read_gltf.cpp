@@ -141,8 +141,12 @@ TEST_F(Gltf, AMetalHasNoDiffusePartAndARoughSurfaceAWideHighlight) {
         R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5}})");
     EXPECT_NEAR_3(rough.Ka, srgb(0.5), srgb(0.2), 0);
     EXPECT_NEAR_3(rough.Kd, srgb(0.5), srgb(0.2), 0);
-    EXPECT_NEAR_3(rough.Ks, srgb(0.16), srgb(0.16), srgb(0.16));  // 0.04 / (4 / 16)
-    EXPECT_NEAR(rough.Ns, 30 / 2.2, 1e-5);                        // 2 / (1 / 16) - 2
+    const double peak = 0.04 / (4.0 / 16);
+    EXPECT_NEAR_3(rough.Ks, srgb(0.5 + peak) - srgb(0.5), srgb(0.2 + peak) - srgb(0.2), srgb(peak));
+    // Where its highlight is half as high, so is GGX of a = 1 / 4 on the display.
+    const double c = std::pow(0.5, 1 / double(rough.Ns)), a2 = 1.0 / 16;
+    const double D = std::pow(a2 / (c * c * (a2 - 1) + 1), 2);
+    EXPECT_NEAR(srgb(0.5 + peak * D) - srgb(0.5), rough.Ks.x / 2, 1e-6);
     const Material metal = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.25, 1], "roughnessFactor": 0.5}})");
     EXPECT_EQ(metal.Kd, vec3(0));
