@@ -66,6 +66,7 @@ Case outlines_case(Random& random);
 Case polygons_case(Random& random);
 Case smooth_case(Random& random);
 Case state_rules_case(Random& random);
+Case surface_rules_case(Random& random);
 Case texels_case(Random& random);
 Case ties_case(Random& random);
 Case vertex_rules_case(Random& random);

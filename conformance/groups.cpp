@@ -134,6 +134,8 @@ const std::vector<Group>& all_groups() {
          volumes_case, 24, color, {&C::texels, &C::written}},
         {"surfaces", "surfaces of any size and planes, blits between them, their planes as textures", "R16.1-R16.10",
          surfaces_case, 40, color | depth | stencil, {&C::texels, &C::pixels, &C::depth_killed, &C::stencil_killed, &C::written}},
+        {"surface-rules", "planes as textures and blits, under state that must not change them", "R16.5 R16.9",
+         surface_rules_case, 2},
         {"points", "sizes of points by distance, sprites", "R9.31-R9.33",
          points_case, 32, color, {&C::texels, &C::written}},
         {"samples", "surfaces with samples, drawn to and copied to the window", "R17.1-R17.7",
