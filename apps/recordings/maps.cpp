@@ -22,6 +22,7 @@ struct MapsOptions {
     RecordingChoice recording;
     std::filesystem::path folder;
     std::string pass;  ///< its name or number; empty: all
+    std::uint32_t surface = 0;
     bool quiet = false;
 };
 
@@ -60,9 +61,9 @@ image::Picture why_killed(const inspect::FragmentMaps& maps, int width, int heig
     return image::stencil_colors(codes, width, height);
 }
 
-void put_maps(const inspect::Recording& recording, const inspect::FragmentMaps& maps,
+void put_maps(const Surface& size, const inspect::FragmentMaps& maps,
               const std::filesystem::path& folder, const Session& session) {
-    const int w = recording.width, h = recording.height;
+    const int w = size.width, h = size.height;
     image::OutputSet output(session.inputs);
     output.make_folder(folder);
     image::put_picture(output.add(folder / "depth_complexity.png"), count_colors(maps.made, w, h));
@@ -85,9 +86,10 @@ int make_maps(const MapsOptions& options, Session& session) {
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording, session);
     const auto pass = pass_named(recording, options.pass);
-    warn_of_surfaces(recording, options.recording);
+    const Surface size = chosen_surface(recording, options.recording, options.surface);
     progress.at("replaying on the reference machine");
-    put_maps(recording, inspect::fragment_maps(recording, pass), options.folder, session);
+    put_maps(size, inspect::fragment_maps(recording, pass, options.surface), options.folder,
+             session);
     return Done;
 }
 
@@ -98,6 +100,7 @@ Command add_maps(CLI::App& app) {
         "maps", "Overdraw, depth complexity and why fragments died, as pictures");
     const auto options = std::make_shared<MapsOptions>();
     add_recording_options(*command, options->recording);
+    add_surface_option(*command, options->surface);
     command
         ->add_option(
             "-o,--output", options->folder,

@@ -18,17 +18,19 @@ namespace {
 struct PixelOptions {
     RecordingChoice recording;
     int x = 0, y = 0;
+    std::uint32_t surface = 0;
     bool json = false, quiet = false;
 };
 
 void add_options(CLI::App& command, PixelOptions& options) {
     add_recording_options(command, options.recording);
+    add_surface_option(command, options.surface);
     const auto coordinate = [&](const char* name, int& to, const char* help) {
         command
             .add_option_function<std::string>(
                 name,
                 [name, &to](const std::string& word) {
-                    to = whole_number_from(name, word, 0, max_window_size - 1);
+                    to = whole_number_from(name, word, 0, max_surface_size - 1);
                 },
                 help)
             ->required()
@@ -43,20 +45,19 @@ void add_options(CLI::App& command, PixelOptions& options) {
 int show_pixel(const PixelOptions& options, Session& session) {
     Progress progress("reading", options.quiet);
     const inspect::Recording recording = load_recording(options.recording, session);
-    if (options.x >= recording.width || options.y >= recording.height)
-        throw Error(
-            fmt::format("pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}",
-                        options.x, options.y, recording.width, recording.height,
-                        recording.width - 1, recording.height - 1));
-    warn_of_surfaces(recording, options.recording);
+    const Surface size = chosen_surface(recording, options.recording, options.surface);
+    if (options.x >= size.width || options.y >= size.height)
+        throw Error(fmt::format(
+            "pixel {} {} is outside the picture of {} x {}; expected 0..{} 0..{}", options.x,
+            options.y, size.width, size.height, size.width - 1, size.height - 1));
     progress.at("replaying on the reference machine");
-    const int y = recording.height - 1 - options.y;
-    auto events = inspect::pixel_history(recording, options.x, y);
+    const int y = size.height - 1 - options.y;
+    auto events = inspect::pixel_history(recording, options.x, y, options.surface);
     if (writes_identifiers(recording))
         for (inspect::PixelEvent& event : events)
             if (event.fragment) event.polygon = scene::id_of(event.fragment->color);
     print(options.json
-              ? history_json(recording, options.x, y, events)
+              ? history_json(recording, options.x, y, events, options.surface)
                         .dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) +
                     "\n"
               : table(history_rows(events)));

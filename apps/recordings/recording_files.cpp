@@ -150,10 +150,32 @@ inspect::Recording chosen(inspect::Stream stream, const RecordingChoice& choice)
 
 }  // namespace
 
-void warn_of_surfaces(const inspect::Recording& recording, const RecordingChoice& choice) {
-    if (inspect::has_surfaces(recording))
-        print_warning(choice.file.string() +
-                      ": it draws to surfaces beside the window, whose pixels are left out");
+void add_surface_option(CLI::App& command, std::uint32_t& number) {
+    command
+        .add_option_function<std::string>(
+            "--surface",
+            [&number](const std::string& word) {
+                number = std::uint32_t(whole_number_from("--surface", word, 0, int(max_surfaces)));
+            },
+            "Of a recording that draws to surfaces: the pixels of this one (default 0: the window)")
+        ->type_name("N");
+}
+
+Surface chosen_surface(const inspect::Recording& recording, const RecordingChoice& choice,
+                       std::uint32_t number) {
+    const auto surfaces = inspect::surfaces_of(recording);
+    std::string all;
+    for (const auto& [other, size] : surfaces)
+        all += fmt::format("{}{} ({}x{})", all.empty() ? "" : ", ", other, size.width, size.height);
+    if (!surfaces.contains(number))
+        throw Error(fmt::format("--surface {}: {} has no such surface; expected one of {}", number,
+                                choice.file.string(), all));
+    if (number == 0 && surfaces.size() > 1)
+        print_warning(
+            fmt::format("{}: it draws to surfaces beside the window, whose pixels are "
+                        "left out; --surface N shows one of {}",
+                        choice.file.string(), all));
+    return surfaces.at(number);
 }
 
 inspect::Recording load_recording(const RecordingChoice& choice, Session& session) {

@@ -49,8 +49,13 @@ inspect::Recording load_recording(const RecordingChoice& choice, Session& sessio
 /// The same, with all windows if none is chosen.
 inspect::Stream load_windows(const RecordingChoice& choice, Session& session);
 
-/// Warns if it draws to surfaces beside the window: histories and maps are of the window alone.
-void warn_of_surfaces(const inspect::Recording& recording, const RecordingChoice& choice);
+/// --surface: of the pixels that a command shows; 0 is the window.
+void add_surface_option(CLI::App& command, std::uint32_t& number);
+
+/// The largest size of the chosen surface. Throws Error if the recording does not make it. Warns if
+/// it is the window, and others are left out.
+Surface chosen_surface(const inspect::Recording& recording, const RecordingChoice& choice,
+                       std::uint32_t number);
 
 /// Replays the recording and adds its manifest to the files of `output`. With values, adds
 /// "M.values" beside "M.json", unless `file` is a device.

@@ -104,6 +104,7 @@ void process_fragment(const Resolved& state, const FragmentTarget& target, const
     for (std::size_t k = 0; k < target.samples.size(); ++k) {
         if (!(mask >> k & 1)) continue;
         fragment.depth = covered.depth[k];
+        fragment.sample = int(k);
         process_sample(state, target, fragment, target.samples[k], passes);
     }
 }

@@ -36,9 +36,11 @@ void store(const Readback& read, const ReadTarget& to) {
 
 class ReferenceMachine final : public Machine {
 public:
-    ReferenceMachine(const Profile& profile, int width, int height, Observer* observer)
+    ReferenceMachine(const Profile& profile, int width, int height, Observer* observer,
+                     std::uint32_t observed)
         : profile_(profile),
           observer_(observer),
+          observed_(observed),
           window_{
               {width, height, all_planes}, profile, {Planes(width, height, profile.color_planes)}} {
     }
@@ -77,7 +79,7 @@ private:
     }
 
     FragmentTarget target(const Resolved& r) {
-        return {used().samples, &pass().counters, number_ == 0 ? observer_ : nullptr,
+        return {used().samples, &pass().counters, number_ == observed_ ? observer_ : nullptr,
                 fragment_bytes(r, used().profile)};
     }
 
@@ -214,6 +216,7 @@ private:
 
     Profile profile_;
     Observer* observer_;
+    std::uint32_t observed_;  ///< the surface whose pixels it is told of
     Drawable window_;
     std::map<std::uint32_t, Drawable> surfaces_;
     std::map<std::uint32_t, Surface> made_;                 ///< of surfaces_
@@ -231,10 +234,11 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Machine> make(const Profile& profile, int width, int height, Observer* observer) {
+std::unique_ptr<Machine> make(const Profile& profile, int width, int height, Observer* observer,
+                              std::uint32_t surface) {
     check_window(width, height);
     validate(profile);
-    return std::make_unique<ReferenceMachine>(profile, width, height, observer);
+    return std::make_unique<ReferenceMachine>(profile, width, height, observer, surface);
 }
 
 }  // namespace reference

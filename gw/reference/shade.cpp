@@ -33,6 +33,16 @@ std::uint32_t fog_factor_at(const Shader& s, int x, int y) {
     return static_cast<std::uint32_t>(a + (((b - a) * (position & 255) + 128) >> 8));
 }
 
+/// Tells the observer what the pixel's units compare.
+void tell_comparisons(const Shader& s, int x, int y) {
+    Observer* const observer = s.context.target.observer;
+    if (!observer) return;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (const Texels* const of = s.context.texels[unit])
+            if (const auto c = comparison_at(s.values, unit, *of, s.context.state, x, y))
+                observer->comparison(x, y, s.primitive, *c);
+}
+
 /// All units' texels, then their environments in the order of the units.
 Rgba textured_color(const Shader& s, const Rgba& primary, int x, int y) {
     const Resolved& r = s.context.state;
@@ -52,6 +62,7 @@ Rgba shaded_color(const Shader& s, int x, int y) {
     const Resolved& r = s.context.state;
     Rgba color = color_at(s.values, s.values.color, x, y, r.bits);
     if (r.state.color_source == ColorSource::PolygonId) return color;  // identifiers are exact
+    tell_comparisons(s, x, y);
     color = textured_color(s, color, x, y);
     if (sums_colors(r.state))
         color = sum_of_colors(color, color_at(s.values, s.values.secondary, x, y, r.bits), r.bits);

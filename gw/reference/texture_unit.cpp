@@ -53,19 +53,20 @@ Rgba grey(std::uint32_t v) {
     return {c, c, c, c};
 }
 
-/// Whether r passes the comparison with the depth of the nearest texel.
-bool is_lit(const Coordinates& at, const Texels& texels, const TexelLevel& level,
-            const TextureState& s, const ResolvedTexture& r) {
+/// r and the depth of the nearest texel.
+DepthComparison compared(const Coordinates& at, const Texels& texels, const TexelLevel& level,
+                         const TextureState& s, const ResolvedTexture& r) {
     const TextureValues& v = at.values;
     const int bits = texels.depth_bits;
-    const int i = at.at(v.s, level.width, s.wrap_s) >> 8;
-    const int j = at.at(v.t, level.height, s.wrap_t) >> 8;
+    const Addressing how = addressing(s, texels, r.border_color);
     const double depth = std::ldexp(double(v.r.at(at.x, at.y, at.w)), v.r.exponent + bits);
-    const auto incoming =
-        static_cast<std::uint32_t>(to_integer(std::floor(depth), 0, max_of_bits(bits)));
-    return compare(s.compare_func, incoming,
-                   nearest_depth(texels, level, addressing(s, texels, r.border_color), i, j,
-                                 s.border_color.x));
+    DepthComparison out;
+    out.i = wrap_index(how.wrap_s, at.at(v.s, level.width, s.wrap_s) >> 8, level.width);
+    out.j = wrap_index(how.wrap_t, at.at(v.t, level.height, s.wrap_t) >> 8, level.height);
+    out.r = static_cast<std::uint32_t>(to_integer(std::floor(depth), 0, max_of_bits(bits)));
+    out.stored = nearest_depth(texels, level, how, out.i, out.j, s.border_color.x);
+    out.passes = compare(s.compare_func, out.r, out.stored);
+    return out;
 }
 
 PixelCoordinates coordinates_with_r(const TextureValues& v, int x, int y, int dx, int dy) {
@@ -75,7 +76,26 @@ PixelCoordinates coordinates_with_r(const TextureValues& v, int x, int y, int dx
     return {{at(v.s), at(v.t), at(v.r)}, v.q.at(x, y), v.q_slope, dx, dy};
 }
 
+/// Whether (s, t, r, q) has no quotient: q is not positive.
+bool is_without_quotient(const TextureValues& v, int x, int y) {
+    return v.projective && v.q.at(x, y) < 1;
+}
+
 }  // namespace
+
+std::optional<DepthComparison> comparison_at(const Interpolants& values, std::size_t unit,
+                                             const Texels& texels, const Resolved& resolved, int x,
+                                             int y) {
+    const TextureValues& v = values.textures[unit];
+    const TextureState& s = texture_of(resolved.state, unit);
+    if (!s.shadow_compare || texels.with_r || is_without_quotient(v, x, y)) return std::nullopt;
+    const Coordinates at{v, x, y, reciprocal(v.q, x, y), texels.any_size};
+    const int base = level_range(s, int(texels.levels.size())).base;
+    DepthComparison out =
+        compared(at, texels, texels.levels[std::size_t(base)], s, resolved.texture(unit));
+    out.unit = unit;
+    return out;
+}
 
 Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels,
               const Resolved& resolved, int x, int y) {
@@ -85,13 +105,13 @@ Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels
     const int dx = x - values.slope_x, dy = y - values.slope_y;
     if (texels.with_r) return texel_with_r(texels, s, r, coordinates_with_r(v, x, y, dx, dy));
     const std::uint32_t one = max_of_bits(texels.bits);
-    if (v.projective && v.q.at(x, y) < 1) return grey(one);
+    if (const auto c = comparison_at(values, unit, texels, resolved, x, y))
+        return grey(c->passes ? one : 0);
+    if (is_without_quotient(v, x, y)) return grey(one);
     const float w = reciprocal(v.q, x, y);
     const Coordinates at{v, x, y, w, texels.any_size};
     const int base = level_range(s, int(texels.levels.size())).base;
     const TexelLevel& first = texels.levels[std::size_t(base)];
-    if (s.shadow_compare) return grey(is_lit(at, texels, first, s, r) ? one : 0);
-
     LevelChoice choice{.magnify = true, .level = base};
     if (needs_rho(s))
         choice = choose_level(s, rho_at(v, first, r, w, dx, dy), int(texels.levels.size()));

@@ -24,10 +24,23 @@ public:
         if (f.x != x_ || f.y != y_) return;
         PixelEvent e = event(before, after);
         e.polygon = polygon(f);
+        if (compared_command_ == e.command && compared_primitive_ == f.primitive) {
+            e.comparisons = compared_;
+            for (const DepthComparison& c : compared_)
+                e.compared_surfaces.push_back(surface_read(c.unit));
+        }
         e.call = calls_.text(e.command, place_in_mesh(f));
         e.fragment = f;
         e.fate = fate;
         events.push_back(std::move(e));
+    }
+    void comparison(int x, int y, std::uint32_t primitive, const DepthComparison& c) override {
+        if (x != x_ || y != y_) return;
+        if (compared_command_ != command_index() || compared_primitive_ != primitive)
+            compared_.clear();
+        compared_command_ = command_index();
+        compared_primitive_ = primitive;
+        compared_.push_back(c);
     }
     void pixel(int x, int y, const PixelValues& before, const PixelValues& after) override {
         if (x != x_ || y != y_) return;
@@ -51,14 +64,30 @@ private:
         return e;
     }
 
+    /// The surface that a unit of the command reads; 0: none.
+    std::uint32_t surface_read(std::size_t unit) const {
+        const auto of = [&](const auto& drawing) -> std::uint32_t {
+            if constexpr (requires { drawing.more_maps; }) {
+                const TextureBinding& map = map_of(drawing, unit);
+                return map.surface ? map.surface->surface : 0;
+            }
+            return 0;
+        };
+        return std::visit(of, command());
+    }
+
     CallNames calls_;
     int x_, y_;
+    std::vector<DepthComparison> compared_;  ///< of one primitive of one command
+    std::optional<std::size_t> compared_command_;
+    std::uint32_t compared_primitive_ = 0;
 };
 
 class MapObserver : public FollowingObserver {
 public:
-    MapObserver(const Recording& recording, std::optional<std::size_t> pass, FragmentMaps& maps)
-        : FollowingObserver(recording), width_(recording.width), wanted_(pass), maps_(maps) {}
+    MapObserver(const Recording& recording, int width, std::optional<std::size_t> pass,
+                FragmentMaps& maps)
+        : FollowingObserver(recording), width_(width), wanted_(pass), maps_(maps) {}
 
     void fragment(const Fragment& f, Fate fate, const PixelValues&, const PixelValues&) override {
         if (wanted_ && *wanted_ != pass()) return;
@@ -79,9 +108,9 @@ private:
     FragmentMaps& maps_;
 };
 
-void observe(const Recording& recording, Observer& observer) {
+void observe(const Recording& recording, Observer& observer, std::uint32_t surface = 0) {
     const auto machine =
-        reference::make(recording.profile, recording.width, recording.height, &observer);
+        reference::make(recording.profile, recording.width, recording.height, &observer, surface);
     Player(recording, *machine).play();
 }
 
@@ -100,6 +129,32 @@ std::string change(const auto& before, const auto& after) {
 std::string outcome(const PixelEvent& e) {
     if (!e.fragment) return e.command_name;
     return e.fate == Fate::Written ? "written" : std::string("killed: ") + name_of(e.fate);
+}
+
+/// "unit 1: 4052 > 4000 of texel 7 9 of surface 2: 0"
+std::string comparisons_text(const PixelEvent& e) {
+    std::string out;
+    for (std::size_t i = 0; i < e.comparisons.size(); ++i) {
+        const DepthComparison& c = e.comparisons[i];
+        const char sign = c.r < c.stored ? '<' : c.r > c.stored ? '>' : '=';
+        out += fmt::format("{}unit {}: {} {} {} of texel {} {}", i == 0 ? "" : "; ", c.unit, c.r,
+                           sign, c.stored, c.i, c.j);
+        if (const std::uint32_t surface = e.compared_surfaces[i])
+            out += fmt::format(" of surface {}", surface);
+        out += c.passes ? ": 1" : ": 0";
+    }
+    return out.empty() ? "-" : out;
+}
+
+nlohmann::ordered_json comparisons_json(const PixelEvent& e) {
+    auto json = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < e.comparisons.size(); ++i) {
+        const DepthComparison& c = e.comparisons[i];
+        json.push_back({{"unit", c.unit}, {"texel", {c.i, c.j}}, {"r", c.r}, {"stored", c.stored}});
+        if (e.compared_surfaces[i] != 0) json.back()["surface"] = e.compared_surfaces[i];
+        json.back()["value"] = c.passes ? 1 : 0;
+    }
+    return json;
 }
 
 std::string optional_text(const auto& value) { return value ? std::to_string(*value) : "-"; }
@@ -125,6 +180,8 @@ nlohmann::ordered_json event_json(const PixelEvent& e, const Profile& profile) {
         json["color"] = e.fragment->color;
         json["depth"] = e.fragment->depth;
         if (e.fragment->coverage != 0) json["coverage"] = e.fragment->coverage;
+        if (e.fragment->sample != 0) json["sample"] = e.fragment->sample;
+        if (!e.comparisons.empty()) json["comparisons"] = comparisons_json(e);
         json["fate"] = name_of(e.fate);
     }
     json["before"] = values_json(e.before, profile);
@@ -134,9 +191,24 @@ nlohmann::ordered_json event_json(const PixelEvent& e, const Profile& profile) {
 
 }  // namespace
 
-std::vector<PixelEvent> pixel_history(const Recording& recording, int x, int y) {
+std::map<std::uint32_t, Surface> surfaces_of(const Recording& recording) {
+    std::map<std::uint32_t, Surface> all{{0, {recording.width, recording.height, all_planes}}};
+    for (const CommandList& list : recording.lists)
+        for (const Command& command : list.commands)
+            if (const auto* made = std::get_if<MakeSurface>(&command))
+                if (made->surface.width != 0) {
+                    Surface& largest = all.try_emplace(made->number, made->surface).first->second;
+                    largest.width = std::max(largest.width, made->surface.width);
+                    largest.height = std::max(largest.height, made->surface.height);
+                    largest.samples = std::max(largest.samples, made->surface.samples);
+                }
+    return all;
+}
+
+std::vector<PixelEvent> pixel_history(const Recording& recording, int x, int y,
+                                      std::uint32_t surface) {
     PixelObserver observer(recording, x, y);
-    observe(recording, observer);
+    observe(recording, observer, surface);
     return observer.events;
 }
 
@@ -150,20 +222,13 @@ const char* name_of(Fate fate) {
     return "";
 }
 
-bool has_surfaces(const Recording& recording) {
-    return std::ranges::any_of(recording.lists, [](const CommandList& list) {
-        return std::ranges::any_of(list.commands, [](const Command& command) {
-            return std::holds_alternative<UseSurface>(command);
-        });
-    });
-}
-
-FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass) {
-    const std::vector<std::uint32_t> none(std::size_t(recording.width) *
-                                          std::size_t(recording.height));
+FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass,
+                           std::uint32_t surface) {
+    const Surface size = surfaces_of(recording).at(surface);
+    const std::vector<std::uint32_t> none(std::size_t(size.width) * std::size_t(size.height));
     FragmentMaps maps{none, none, none, none, none};
-    MapObserver observer(recording, pass, maps);
-    observe(recording, observer);
+    MapObserver observer(recording, size.width, pass, maps);
+    observe(recording, observer, surface);
     return maps;
 }
 
@@ -186,6 +251,12 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     if (smooth) rows[0].push_back("coverage");
     const bool called =
         std::ranges::any_of(events, [](const PixelEvent& e) { return !e.call.empty(); });
+    const bool sampled = std::ranges::any_of(
+        events, [](const PixelEvent& e) { return e.fragment && e.fragment->sample != 0; });
+    const bool compares =
+        std::ranges::any_of(events, [](const PixelEvent& e) { return !e.comparisons.empty(); });
+    if (sampled) rows[0].push_back("sample");
+    if (compares) rows[0].push_back("compared depths");
     if (called) rows[0].push_back("call");
     for (const PixelEvent& e : events) {
         const auto& f = e.fragment;
@@ -198,19 +269,23 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
         if (back) rows.back().push_back(change(e.before.back, e.after.back));
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
         if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
+        if (sampled) rows.back().push_back(f ? text(std::uint32_t(f->sample)) : "-");
+        if (compares) rows.back().push_back(comparisons_text(e));
         if (called) rows.back().push_back(e.call.empty() ? "-" : e.call);
     }
     return rows;
 }
 
 nlohmann::ordered_json history_json(const Recording& recording, int x, int y,
-                                    const std::vector<PixelEvent>& events) {
+                                    const std::vector<PixelEvent>& events, std::uint32_t surface) {
+    const Surface size = surfaces_of(recording).at(surface);
     nlohmann::ordered_json json{{"x", x},
-                                {"y", recording.height - 1 - y},
+                                {"y", size.height - 1 - y},
                                 {"profile", recording.profile.name},
-                                {"width", recording.width},
-                                {"height", recording.height},
+                                {"width", size.width},
+                                {"height", size.height},
                                 {"events", nlohmann::ordered_json::array()}};
+    if (surface != 0) json["surface"] = surface;
     for (const PixelEvent& e : events) json["events"].push_back(event_json(e, recording.profile));
     return json;
 }

@@ -1,6 +1,6 @@
 // The events of a pixel, in order; and the fragments of every pixel, counted by their fate. From
-// the reference machine, exact, in one run. Pixels are the window's: what is drawn to surfaces beside
-// it has no events. Does not draw pictures.
+// the reference machine, exact, in one run. Pixels are those of the window, or
+// of one surface. Does not draw pictures.
 #pragma once
 
 #include "gw/reference/observer.h"
@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,12 +27,21 @@ struct PixelEvent {
     /// of a draw: identifier of the fragment's polygon in its mesh
     std::optional<std::uint32_t> polygon;
     std::optional<Fragment> fragment;
+    std::vector<DepthComparison> comparisons;  ///< that shaded the fragment
+    /// the surface whose depths each of them read; 0: a texture of its own
+    std::vector<std::uint32_t> compared_surfaces;
     Fate fate = Fate::Written;
     PixelValues before, after;
 };
 
-/// Window coordinates. A command that touches the pixel plane by plane is one event.
-std::vector<PixelEvent> pixel_history(const Recording& recording, int x, int y);
+/// The surfaces that the recording makes, each with the largest width, height and samples that it
+/// has; number 0 is the window.
+std::map<std::uint32_t, Surface> surfaces_of(const Recording& recording);
+
+/// Window coordinates, or those of a surface. A command that touches the pixel plane by plane is one
+/// event; a fragment on a surface with samples is one event for each sample.
+std::vector<PixelEvent> pixel_history(const Recording& recording, int x, int y,
+                                      std::uint32_t surface = 0);
 
 /// "written", "alpha test", "stencil test", "depth test"
 const char* name_of(Fate fate);
@@ -43,11 +53,10 @@ struct FragmentMaps {
     std::vector<std::uint32_t> alpha_killed, stencil_killed, depth_killed;
 };
 
-/// Whether commands draw to surfaces beside the window, which are in no history and no map.
-bool has_surfaces(const Recording& recording);
-
-/// Of one pass, or of all.
-FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass);
+/// Of one pass, or of all; of the window, or of a surface with its size in surfaces_of(). On a
+/// surface with samples, each covered sample counts.
+FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t> pass,
+                           std::uint32_t surface = 0);
 
 // As a table and as JSON, in picture coordinates, top left first.
 
@@ -56,8 +65,9 @@ FragmentMaps fragment_maps(const Recording& recording, std::optional<std::size_t
 /// they stay 0, coverage if no fragment is antialiased.
 std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>& events);
 
-/// {"x", "y", "profile", "width", "height", "events": [...]}
+/// {"x", "y", "profile", "width", "height", "events": [...]}, of a surface also "surface"
 nlohmann::ordered_json history_json(const Recording& recording, int x, int y,
-                                    const std::vector<PixelEvent>& events);
+                                    const std::vector<PixelEvent>& events,
+                                    std::uint32_t surface = 0);
 
 }  // namespace gw::inspect

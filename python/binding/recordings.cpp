@@ -23,6 +23,7 @@
 #include "python/binding/machines.h"
 #include "python/binding/module.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace gw::python {
@@ -269,13 +270,18 @@ void add_recording(py::module_& m) {
             "None, or the first difference of the planes after a pass; this one is expected.")
         .def(
             "pixel_history",
-            [](const Recording& r, int x, int y) {
-                return from_json(without_lock(
-                    [&] { return history_json(r, x, y, inspect::pixel_history(r, x, y)).dump(); }));
+            [](const Recording& r, int x, int y, std::uint32_t surface) {
+                if (!inspect::surfaces_of(r).contains(surface))
+                    throw py::value_error(
+                        fmt::format("surface {}: the recording has none of this number", surface));
+                return from_json(without_lock([&] {
+                    return history_json(r, x, y, inspect::pixel_history(r, x, y, surface), surface)
+                        .dump();
+                }));
             },
-            py::arg("x"), py::arg("y"),
+            py::arg("x"), py::arg("y"), py::kw_only(), py::arg("surface") = 0,
             "The events of the pixel in column x, row y from the bottom, as gw pixel --json has "
-            "them.");
+            "them; of the window, or of a surface beside it.");
 }
 
 void add_difference(py::module_& m) {

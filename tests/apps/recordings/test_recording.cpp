@@ -158,7 +158,26 @@ TEST_F(Recordings, HistoriesAndMapsSayThatSurfacesAreLeftOut) {
     for (const auto& result : {gw({"maps", drawn, "-o", "maps"}), gw({"pixel", drawn, "0", "0"})}) {
         EXPECT_EQ(result.code, 0);
         EXPECT_NE(result.err.find("it draws to surfaces beside the window"), std::string::npos);
+        EXPECT_NE(result.err.find("--surface N"), std::string::npos);
     }
+}
+
+TEST_F(Recordings, HistoriesAndMapsShowASurface) {
+    ASSERT_EQ(gw({"conformance", "suite", "--only", "surface-rules"}).code, 0);
+    const std::string drawn = "suite/surface-rules_01.gwt";
+    const auto result = gw({"pixel", drawn, "3", "2", "--surface", "1", "--json"});
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json["surface"], 1);
+    EXPECT_EQ(json["events"][0]["command_name"], "Draw");
+    EXPECT_EQ(json["events"].back()["command_name"], "Blit");
+    const std::string window = gw({"pixel", drawn, "3", "2"}).out;
+    EXPECT_NE(window.find("of surface 1: "), std::string::npos);  // a comparison with its depth
+    EXPECT_EQ(gw({"maps", drawn, "-o", "maps", "--surface", "1"}).err, "");
+    expect_refused(1, {"pixel", drawn, "0", "0", "--surface", "2"},
+                   {"--surface 2", "0 (16x16), 1 (16x16)"});
+    expect_refused(2, {"maps", drawn, "-o", "x", "--surface", "-1"}, {"--surface '-1'"});
 }
 
 TEST_F(Recordings, BadFilesAreRefusedWithAReason) {
