@@ -27,8 +27,8 @@ HWY_INLINE bool antialiases(const DrawOp& op) {
 /// Whether a draw's triangles take the simple path.
 HWY_INLINE bool takes_simple_path(const DrawOp& op) {
     const Resolved& r = op.state;
-    return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_offset.enable &&
-           !r.state.polygon_stipple.pattern && !antialiases(op) && !draws_to_both(r.state);
+    return r.state.alpha.func == AlphaFunc::Always && !r.state.polygon_stipple.pattern &&
+           !antialiases(op) && !draws_to_both(r.state);
 }
 
 /// A triangle's fragments by fate, lane by lane.

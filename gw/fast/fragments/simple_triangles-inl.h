@@ -1,4 +1,4 @@
-// Triangles without alpha test and polygon offset: depth passes, shadow volumes, identifiers, first
+// Triangles without alpha test: depth passes, shadow volumes, identifiers, first
 // coloured passes. Tests and depth writes stay in vectors of 32-bit lanes; stencil operations and
 // colour only run for fragments that reach them. docs/manual.md, "Fragment operations"; the general
 // case is gw/fast/fragments/fragments-inl.h. Included once per Highway target.
@@ -147,14 +147,16 @@ HWY_INLINE void draw_simple(const TileDraw& draw, const Triangles& t, std::size_
         *draw.op, [&](const auto& passes) { draw_simple(draw, t, i, box, passes, paint, counts); });
 }
 
-/// Draws a batch of triangles.
-inline void draw_simple(const TileDraw& draw, std::span<const std::uint32_t> bin,
+/// Draws a batch of triangles. Returns false, and does nothing, if a depth with its polygon offset
+/// may leave the plane's range.
+inline bool draw_simple(const TileDraw& draw, std::span<const std::uint32_t> bin,
                         OpCounts& counts) {
     const BoxLanes box(draw);
     Triangles t;
     LaneCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
+    if (!includes_offsets(draw, t)) return false;
     BatchPlanes planes(draw, t.corners);
     const Paints paints = paints_of(*draw.op);
     if (paints == Paints::Any && planes.may_queue()) planes.queue = &draw.scratch->queue;
@@ -164,6 +166,7 @@ inline void draw_simple(const TileDraw& draw, std::span<const std::uint32_t> bin
                        [&](const auto& paint) { draw_simple(draw, t, i, box, paint, lanes); });
     if (planes.queue) draw_waiting(planes);
     lanes.add_to(counts);
+    return true;
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -10,6 +10,11 @@
 
 #include "gw/fast/raster/corners-inl.h"
 #include "gw/fast/simd/lanes-inl.h"
+#include "gw/stages/polygon_offset.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -118,6 +123,36 @@ HWY_INLINE void set_up_depths(Triangles& t) {
         t.depth);
 }
 
+/// Whether all depths of triangle i lie between its corners', widened by 1: the gradients' rounding
+/// is half a unit in 2^15 pixels.
+HWY_INLINE bool is_near(const Corners& t, std::size_t i) {
+    return std::abs(t.to_x[i]) < 1 << 14 && std::abs(t.to_y[i]) < 1 << 14;
+}
+
+/// Adds the polygon offset to the depths of triangle i, at its corners too. Returns whether it is
+/// sure that no depth in between leaves the range of the depth plane.
+HWY_INLINE bool add_offset(const TileDraw& draw, Triangles& t, std::size_t i) {
+    const int bits = draw.profile->depth_bits;
+    const std::int64_t offset = depth_offset(draw.op->state.state.polygon_offset,
+                                             offset_slope(t.depth.gx[i], t.depth.gy[i]), bits),
+                       max = max_of_bits(bits);
+    auto& z = t.corners.z;
+    const std::int64_t low = std::min({z[0][i], z[1][i], z[2][i]}),
+                       high = std::max({z[0][i], z[1][i], z[2][i]});
+    const bool is_inside = low > 0 && low + offset > 0 && high < max && high + offset < max;
+    if (!is_inside || !is_near(t.corners, i)) return false;
+    for (std::size_t k = 0; k < 3; ++k) z[k][i] = std::uint32_t(z[k][i] + offset);
+    t.depth.base[i] += offset * 65536;
+    t.depth.c[i] += offset * 65536;
+    return true;
+}
+HWY_NOINLINE inline void add_offsets(const TileDraw& draw, Triangles& t) {
+    for (std::uint32_t rest = t.depth.sure & ((1u << t.count()) - 1); rest != 0; rest &= rest - 1) {
+        const int i = std::countr_zero(rest);
+        if (!add_offset(draw, t, std::size_t(i))) t.depth.sure &= ~(1u << i);
+    }
+}
+
 #else
 
 HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
@@ -132,6 +167,7 @@ HWY_INLINE void set_up_edges(const TileDraw& draw, Triangles& t) {
 }
 
 HWY_INLINE void set_up_depths(Triangles& t) { t.depth.sure = 0; }
+inline void add_offsets(const TileDraw&, Triangles&) {}
 
 #endif  // HWY_HAVE_FLOAT64
 
@@ -215,7 +251,16 @@ inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t
     set_up_edges(draw, t);
     cover_small(t);
     t.depth.sure = 0;
-    if (depth && !draw.op->state.state.polygon_offset.enable) set_up_depths(t);
+    if (!depth) return;
+    set_up_depths(t);
+    if (draw.op->state.state.polygon_offset.enable) add_offsets(draw, t);
+}
+
+/// Whether the depth planes of a batch have the polygon offset in them, if the draw has one.
+HWY_INLINE bool includes_offsets(const TileDraw& draw, const Triangles& t) {
+    const std::uint32_t all = (1u << t.count()) - 1;
+    return !needs_depth(*draw.op) || !draw.op->state.state.polygon_offset.enable ||
+           (t.depth.sure & all) == all;
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -102,12 +102,11 @@ void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            if (uniform)
-                draw_uniform(draw, batch, counts);
-            else if (simple)
-                draw_simple(draw, batch, counts);
-            else
-                draw_triangles(draw, batch, counts);
+            if (uniform ? draw_uniform(draw, batch, counts)
+                        : simple && draw_simple(draw, batch, counts))
+                return;
+            write_back_tile(draw.tile, touched_planes(*draw.op));
+            draw_triangles(draw, batch, counts);
         },
         [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
     *draw.counts += counts;

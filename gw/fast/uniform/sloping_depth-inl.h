@@ -60,12 +60,11 @@ struct SlopingWalk : DepthWalk {
 
     HWY_INLINE explicit SlopingWalk(const DepthPlane& p) : DepthWalk(p) {}
 
-    /// The corners' depths, widened by 1 for the gradients' rounding (half a unit in 2^15 pixels).
+    /// The corners' depths, widened by 1: is_near().
     HWY_INLINE void find_bounds(const Corners& t, std::size_t i) {
-        const auto near = [](std::int32_t pixels) { return std::abs(pixels) < 1 << 14; };
         const std::uint32_t low = std::min({t.z[0][i], t.z[1][i], t.z[2][i]}),
                             high = std::max({t.z[0][i], t.z[1][i], t.z[2][i]});
-        if (low == 0 || high == ~0u || !near(t.to_x[i]) || !near(t.to_y[i])) return;
+        if (low == 0 || high == ~0u || !is_near(t, i)) return;
         if (!ExactPlane::applies_to(plane.plane)) return;
         least = low - 1;
         most = high + 1;

@@ -283,14 +283,15 @@ HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCount
     });
 }
 
-/// Draws a batch of triangles. GCC takes the loops under the eight depth tests for seldom run, and
-/// compiles them for size, if not told.
-[[gnu::hot]] inline void draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
+/// Draws a batch of triangles, or returns false as draw_simple(). GCC takes the loops under the
+/// eight depth tests for seldom run, and compiles them for size, if not told.
+[[gnu::hot]] inline bool draw_uniform(const TileDraw& draw, std::span<const std::uint32_t> bin,
                                       OpCounts& counts) {
     Triangles t;
     LaneCounts lanes;
     lanes.clear();
     set_up_triangles(draw, bin, needs_depth(*draw.op), t);
+    if (!includes_offsets(draw, t)) return false;
     if (draw.tile.depth_planes->size() + batch_capacity > max_depth_planes)
         write_back_tile(draw.tile, {false, true});
     draw.tile.has_uniform->color |= draw.op->state.writes_color;
@@ -300,6 +301,7 @@ HWY_INLINE void draw_uniform(const TileDraw& draw, const Triangles& t, LaneCount
     else
         draw_uniform<NoColor>(draw, t, lanes, counts);
     lanes.add_to(counts);
+    return true;
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE
