@@ -11,8 +11,8 @@
 #include "gw/fast/fragments/antialiased-inl.h"
 #include "gw/fast/fragments/fragments-inl.h"
 #include "gw/fast/fragments/smooth_painter-inl.h"
-#include "gw/fast/raster/cover-inl.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
+#include "gw/fast/raster/sampled_triangles-inl.h"
 #include "gw/stages/raster/samples.h"
 
 #include <algorithm>
@@ -78,28 +78,29 @@ HWY_NOINLINE inline void run_sample(const Resolved& r, int sample, bool front,
 class SampledPainter {
 public:
     SampledPainter(BatchPlanes& planes, std::size_t i, std::uint32_t ordinal,
-                   const SampleRules& rules, OpCounts& counts)
+                   const SampleRules& rules, OpCounts& counts,
+                   const SampledTriangles* triangles = nullptr)
         : planes_(planes),
           draw_(planes.draw),
           i_(i),
+          ordinal_(ordinal),
           primitive_(*planes.corners.primitive[i]),
           rules_(rules),
-          counts_(counts),
-          center_(frame_of(draw_, ordinal)) {
+          counts_(counts) {
+        if (!needs_depth(*draw_.op)) return;
         for (int k = 0; k < rules.samples; ++k) {
-            PrimitiveFrame& frame = frames_[std::size_t(k)];
-            const JitterState shift = sample_shift(rules.samples, k, draw_.profile->subpixel_bits),
-                              &jitter = draw_.op->state.state.jitter;
-            frame = primitive_frame(*draw_.op->set, primitive_,
-                                    {jitter.x + shift.x, jitter.y + shift.y},
-                                    draw_.profile->subpixel_bits, draw_.tile);
-            frame.point_size = center_.point_size;
-            if (needs_depth(*draw_.op))
-                depths_[std::size_t(k)] = depth_plane(draw_, primitive_, frame);
+            const PlaneBatch* const depth =
+                triangles ? &triangles->at[std::size_t(k)].depth : nullptr;
+            depths_[std::size_t(k)] = depth && (depth->sure >> i & 1) != 0
+                                          ? DepthPlane{depth->at(i), 0}
+                                          : depth_plane(draw_, primitive_, at(k));
         }
     }
-    const PrimitiveFrame& center() const { return center_; }
-    const PrimitiveFrame& at(int k) const { return frames_[std::size_t(k)]; }
+    const PrimitiveFrame& center() {
+        if (!center_) center_ = frame_of(draw_, ordinal_);
+        return *center_;
+    }
+    PrimitiveFrame at(int k) const { return sample_frame(draw_, primitive_, rules_.samples, k); }
 
     /// `inside`: lanes with no outer centre.
     HWY_NOINLINE void paint(int bx, int by, const SampleLanes& covered, std::uint32_t inside) {
@@ -136,17 +137,7 @@ private:
     HWY_NOINLINE void shade(int bx, int by, std::uint32_t any, std::uint32_t inside) {
         is_shaded_ = true;
         if ((any & inside) != 0) color_ = planes_.color_of(i_, bx, by, any & inside);
-        for (std::uint32_t outside = any & ~inside; outside != 0; outside &= outside - 1) {
-            const int lane = std::countr_zero(outside);
-            if (has_outer_colors_) {
-                shade_outer(outer_frame(draw_, center_, bx, by, lane), lane);
-                continue;
-            }
-            const ColorBlock& outer =
-                outer_color(draw_, primitive_, outer_frame(draw_, center_, bx, by, lane), bx, by,
-                            1u << lane, outer_);
-            for (std::size_t c = 0; c < 4; ++c) color_.channel[c][lane] = outer.channel[c][lane];
-        }
+        if ((any & ~inside) != 0) shade_outer(bx, by, any & ~inside);
         if (rules_.by_alpha)
             for (int k = 0; k < rules_.samples; ++k)
                 kept_by_alpha_[std::size_t(k)] = rules_.kept(k, color_, all_lanes);
@@ -154,71 +145,130 @@ private:
             std::fill(std::begin(color_.channel[3]), std::end(color_.channel[3]), rules_.one);
     }
 
-    void shade_outer(const PrimitiveFrame& at, int lane) {
-        if (!outer_colors_) outer_colors_.emplace(draw_, primitive_, center_);
-        const Rgba color = outer_colors_->at(at.pixel_x, at.pixel_y);
-        for (std::size_t c = 0; c < 4; ++c) color_.channel[c][lane] = color[c];
+    /// The colours of lanes with outer centres.
+    HWY_NOINLINE void shade_outer(int bx, int by, std::uint32_t lanes) {
+        const bool once = OuterColors::applies_to(*draw_.op, primitive_);
+        if (once && !outer_once_) outer_once_.emplace(draw_, primitive_, center());
+        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const PrimitiveFrame at = outer_frame(draw_, center(), bx, by, lane);
+            if (once)
+                put_outer(at, bx, by, lane);
+            else
+                copy_lane(outer_color(draw_, primitive_, at, bx, by, 1u << lane, outer_), lane,
+                          color_);
+        }
+        if (!once) return;
+        const ColorBlock& colors = shaded(draw_, outer_.texels[0], outer_);
+        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1)
+            copy_lane(colors, std::countr_zero(rest), color_);
     }
+    static void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {
+        for (std::size_t c = 0; c < 4; ++c) to.channel[c][lane] = from.channel[c][lane];
+    }
+    /// Puts colour and texels of one pixel into the inputs of the outer lanes.
+    void put_outer(const PrimitiveFrame& at, int bx, int by, int lane) {
+        const Rgba color = outer_once_->colors.at(at.pixel_x, at.pixel_y);
+        for (std::size_t c = 0; c < 4; ++c) outer_.color.channel[c][lane] = color[c];
+        if (!draw_.op->texels) return;
+        const TexturePlanes& planes = outer_once_->textures.at(at);
+        if (textures_by_pixel(*draw_.op))
+            return sample_by_pixel(planes, draw_, bx, by, 1u << lane, outer_.texels);
+        ShadeInputs one;
+        look_up(planes, draw_, bx, by, 1u << lane, one);
+        copy_lane(one.texels[0], lane, outer_.texels[0]);
+    }
+
+    /// What all outer pixels of the primitive share.
+    struct OuterOnce {
+        OuterColors colors;
+        OuterTextures textures;
+        OuterOnce(const TileDraw& draw, const SetupPrimitive& primitive,
+                  const PrimitiveFrame& center)
+            : colors(draw, primitive, center), textures(draw, primitive, center) {}
+    };
 
     BatchPlanes& planes_;
     const TileDraw& draw_;
     std::size_t i_;
+    std::uint32_t ordinal_;
     const SetupPrimitive& primitive_;
     const SampleRules& rules_;
     OpCounts& counts_;
-    const PrimitiveFrame center_;
-    std::array<PrimitiveFrame, max_samples> frames_;
+    std::optional<PrimitiveFrame> center_;
     std::array<DepthPlane, max_samples> depths_;
     bool is_shaded_ = false;
-    ColorBlock color_{};
+    ColorBlock color_;
     SampleLanes kept_by_alpha_{};
     ShadeInputs outer_;
-    const bool has_outer_colors_ = OuterColors::applies_to(*draw_.op);
-    std::optional<OuterColors> outer_colors_;
+    std::optional<OuterOnce> outer_once_;
 };
 
-/// The blocks that a triangle may touch with a sample: its centres reach half a pixel further.
-inline BlockBox sampled_box(const TileDraw& draw, const PrimitiveFrame& f) {
-    const auto [x0, x1] = std::minmax_element(f.x.begin(), f.x.end());
-    const auto [y0, y1] = std::minmax_element(f.y.begin(), f.y.end());
-    const auto low = [&](std::int64_t v) { return (v >> f.s) - 1; };
-    BlockBox box = draw.box;
-    box.x0 = int(std::max<std::int64_t>(box.x0, low(*x0) - draw.tile.x));
-    box.y0 = int(std::max<std::int64_t>(box.y0, low(*y0) - draw.tile.y));
-    box.x1 = int(std::min<std::int64_t>(box.x1, low(*x1) + 3 - draw.tile.x));
-    box.y1 = int(std::min<std::int64_t>(box.y1, low(*y1) + 3 - draw.tile.y));
-    return box;
+/// The lanes of a block that the box and the stipple leave.
+HWY_INLINE std::uint32_t drawn_lanes(const TileDraw& draw, int bx, int by) {
+    return stippled(draw, bx, by, lane_set(draw.box.mask(bx, by))).bits();
 }
 
-HWY_NOINLINE inline void draw_sampled_triangle(const TileDraw& draw, SampledPainter& painter,
-                                               const SampleRules& rules) {
-    const BlockBox box = sampled_box(draw, painter.center());
-    if (box.empty()) return;
-    std::array<EdgeWalk, max_samples> walks;
-    EdgeWalk center;
-    const int bx0 = box.x0 / block_side, by0 = box.y0 / block_side;
-    const auto aim = [&](EdgeWalk& walk, const PrimitiveFrame& frame) {
-        walk.aim(tile_edges(frame, draw.tile));
-        walk.start_rows(bx0, by0);
-    };
-    aim(center, painter.center());
-    for (int k = 0; k < rules.samples; ++k) aim(walks[std::size_t(k)], painter.at(k));
-    const auto each = [&](const auto& move) {
-        move(center);
-        for (int k = 0; k < rules.samples; ++k) move(walks[std::size_t(k)]);
-    };
-    for (int by = by0; by * block_side < box.y1; ++by) {
-        for (int bx = bx0; bx * block_side < box.x1; ++bx) {
-            const std::uint32_t drawn =
-                stippled(draw, bx, by, lane_set(draw.box.mask(bx, by))).bits();
-            SampleLanes covered{};
-            for (int k = 0; k < rules.samples; ++k)
-                covered[std::size_t(k)] = walks[std::size_t(k)].covered().bits() & drawn;
-            painter.paint(bx, by, covered, center.covered().bits());
-            each([](EdgeWalk& walk) { walk.next_block(); });
+/// Triangle i, which touches at most 2x2 blocks with any sample: at most 3x3 with all.
+HWY_NOINLINE inline void draw_small_sampled(const TileDraw& draw, SampledPainter& painter,
+                                            const SampledTriangles& triangles, std::size_t i,
+                                            const BlockRange& range) {
+    constexpr int side = 3;
+    std::array<SampleLanes, side * side> covered{};
+    std::array<std::uint32_t, side * side> inside{};
+    const auto each_block = [&](const Triangles& t, const auto& put) {
+        const int x = t.x0[i] / block_side - range.x0, y = t.y0[i] / block_side - range.y0;
+        for (int k = 0; k < 4; ++k) {
+            const auto lanes = std::uint32_t(t.small_lanes(i) >> (k * block_pixels)) & all_lanes;
+            const int bx = x + k % 2, by = y + k / 2;
+            if (lanes != 0 && bx >= 0 && by >= 0 && bx < side && by < side)
+                put(std::size_t(side * by + bx), lanes);
         }
-        each([](EdgeWalk& walk) { walk.next_row(); });
-    }
+    };
+    triangles.for_each_of(i, [&](int k, const Triangles& t) {
+        each_block(t, [&](std::size_t block, std::uint32_t lanes) {
+            covered[block][std::size_t(k)] = lanes;
+        });
+    });
+    if (!triangles.center.empty(i))
+        each_block(triangles.center,
+                   [&](std::size_t block, std::uint32_t lanes) { inside[block] = lanes; });
+    for (int by = range.y0; by <= range.y1; ++by)
+        for (int bx = range.x0; bx <= range.x1; ++bx) {
+            const std::size_t block = std::size_t(side * (by - range.y0) + bx - range.x0);
+            const std::uint32_t drawn = drawn_lanes(draw, bx, by);
+            for (std::uint32_t& lanes : covered[block]) lanes &= drawn;
+            painter.paint(bx, by, covered[block], inside[block]);
+        }
+}
+
+HWY_NOINLINE inline void draw_large_sampled(const TileDraw& draw, SampledPainter& painter,
+                                            const SampledTriangles& triangles, std::size_t i,
+                                            const BlockRange& range) {
+    SampledGroup center;
+    std::array<SampledGroup, max_samples> at;
+    const int samples = triangles.samples;
+    const auto first = [](int block) { return block - block % group_blocks; };
+    for (int y = first(range.y0); y <= range.y1; y += group_blocks)
+        for (int x = first(range.x0); x <= range.x1; x += group_blocks) {
+            std::uint32_t outside = all_lanes;
+            for (int k = 0; k < samples; ++k) {
+                SampledGroup& group = at[std::size_t(k)];
+                group.find(triangles.at[std::size_t(k)].edges(i), x, y);
+                outside &= group.extents.outside;
+            }
+            std::uint32_t rest = range.squares(x, y, 1) & ~outside;
+            if (rest != 0) center.find(triangles.center.edges(i), x, y);
+            for (; rest != 0; rest &= rest - 1) {
+                const int block = std::countr_zero(rest), bx = x + block % group_blocks,
+                          by = y + block / group_blocks;
+                const std::uint32_t drawn = drawn_lanes(draw, bx, by);
+                SampleLanes covered{};
+                for (int k = 0; k < samples; ++k)
+                    covered[std::size_t(k)] = at[std::size_t(k)].covered(block) & drawn;
+                painter.paint(bx, by, covered, center.covered(block));
+            }
+        }
 }
 
 /// Lanes of a tile's blocks, by sample.
@@ -259,6 +309,22 @@ HWY_NOINLINE inline void draw_sampled_line_or_point(const TileDraw& draw, std::u
     });
 }
 
+HWY_NOINLINE inline void draw_sampled_batch(const TileDraw& draw,
+                                            std::span<const std::uint32_t> batch,
+                                            const SampleRules& rules, OpCounts& counts) {
+    const SampledTriangles triangles(draw, batch, rules.samples);
+    BatchPlanes planes(draw, triangles.center.corners);
+    for (std::size_t i = 0; i < triangles.center.count(); ++i) {
+        const BlockRange range = triangles.range(i);
+        if (range.x0 > range.x1) continue;
+        SampledPainter painter(planes, i, batch[i], rules, counts, &triangles);
+        if (triangles.is_small(i))
+            draw_small_sampled(draw, painter, triangles, i, range);
+        else
+            draw_large_sampled(draw, painter, triangles, i, range);
+    }
+}
+
 /// Draws the primitives of a bin to all samples of a tile. No block of them is uniform.
 HWY_NOINLINE inline void draw_sampled(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
@@ -266,13 +332,7 @@ HWY_NOINLINE inline void draw_sampled(const TileDraw& draw, std::span<const std:
     walk_bin(
         draw, bin,
         [&](std::span<const std::uint32_t> batch) {
-            Corners corners;
-            gather_corners(draw, batch, corners);
-            BatchPlanes planes(draw, corners);
-            for (std::size_t i = 0; i < corners.count; ++i) {
-                SampledPainter painter(planes, i, batch[i], rules, counts);
-                draw_sampled_triangle(draw, painter, rules);
-            }
+            draw_sampled_batch(draw, batch, rules, counts);
         },
         [&](std::uint32_t ordinal) { draw_sampled_line_or_point(draw, ordinal, rules, counts); });
     *draw.counts += counts;

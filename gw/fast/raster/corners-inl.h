@@ -43,9 +43,11 @@ HWY_INLINE void gather(const Corners& t, T (&out)[3][batch_capacity], const Valu
 }
 
 HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint32_t> ordinals,
-                                 Corners& t) {
+                                 Corners& t, const JitterState& shift) {
     const GeometrySet& set = *draw.op->set;
-    const JitterState& jitter = draw.op->state.state.jitter;
+    JitterState jitter = draw.op->state.state.jitter;
+    jitter.x += shift.x;
+    jitter.y += shift.y;
     t.s = draw.profile->subpixel_bits;
     t.count = std::min(ordinals.size(), batch_capacity);
     t.filled = t.count <= batch_capacity / 2 ? batch_capacity / 2 : batch_capacity;
@@ -103,8 +105,8 @@ HWY_INLINE V64 load_unsigned(const std::uint32_t* p) {
 
 /// Gathers the corners and the differences that planes need.
 HWY_INLINE void gather_corners(const TileDraw& draw, std::span<const std::uint32_t> ordinals,
-                               Corners& t) {
-    gather_positions(draw, ordinals, t);
+                               Corners& t, const JitterState& shift = {}) {
+    gather_positions(draw, ordinals, t, shift);
     for (std::size_t i = 0; i < t.filled; ++i) {
         t.to_x[i] = draw.tile.x - (t.x[0][i] >> t.s);
         t.to_y[i] = draw.tile.y - (t.y[0][i] >> t.s);

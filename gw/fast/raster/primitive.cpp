@@ -27,6 +27,7 @@ struct Maker {
     const TileDraw& draw;
     const SetupPrimitive& primitive;
     const PrimitiveFrame& frame;
+    std::span<OuterCoordinates> limits{};  ///< by unit, made with the texture planes; empty: not
     mutable std::optional<TilePlane> made_denominator{};
 
     const DrawOp& op() const { return *draw.op; }
@@ -233,6 +234,9 @@ struct Maker {
         };
         out.s = texture_plane(plane(s), s, ts.wrap_s);
         out.t = texture_plane(plane(t), t, ts.wrap_t);
+        if (!limits.empty())
+            limits[number] = {frame.limited_of(q), frame.limited_of(s.at), frame.limited_of(t.at),
+                              frame.limited_of(r.at), !unit.projective};
         if (!needs_rho(ts)) return;
         slopes(out, q, s.at, t.at);
         if (!unit.texels->texels.with_r) return;
@@ -291,8 +295,9 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
     if (make.state().fog.enable) make.fog(out);
 }
 
-bool OuterColors::applies_to(const DrawOp& op) {
-    return op.colors && !op.texels && !op.fog && !has_rare_values(op);
+bool OuterColors::applies_to(const DrawOp& op, const SetupPrimitive& primitive) {
+    return op.colors && !op.fog && !has_rare_values(op) &&
+           (!op.texels || primitive.kind == MeshKind::Triangles);
 }
 
 OuterColors::OuterColors(const TileDraw& draw, const SetupPrimitive& primitive,
@@ -314,6 +319,29 @@ Rgba OuterColors::at(std::int64_t x, std::int64_t y) const {
         out[c] = std::uint16_t(v);
     }
     return out;
+}
+
+OuterTextures::OuterTextures(const TileDraw& draw, const SetupPrimitive& primitive,
+                             const PrimitiveFrame& frame) {
+    if (draw.op->texels) Maker{draw, primitive, frame, units_}.texture(planes_);
+}
+
+const TexturePlanes& OuterTextures::at(const PrimitiveFrame& frame) {
+    const auto move = [&](const LimitedPlane& limited, TilePlane& plane) {
+        plane = PrimitiveFrame::constant(limited.at(frame.pixel_x, frame.pixel_y));
+    };
+    for (std::size_t unit = 0; unit < 1 + planes_.more.size(); ++unit) {
+        TexturePlanes& p = unit == 0 ? planes_ : planes_.more[unit - 1];
+        const OuterCoordinates& of = units_[unit];
+        move(of.q, p.q);
+        move(of.s, p.s.plane);
+        move(of.t, p.t.plane);
+        move(of.r, p.r.plane);
+        if (!of.below_q) continue;
+        p.s.plane.c = std::min(p.s.plane.c, p.q.c);
+        p.t.plane.c = std::min(p.t.plane.c, p.q.c);
+    }
+    return planes_;
 }
 
 void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,

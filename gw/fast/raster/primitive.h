@@ -141,9 +141,10 @@ void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
 /// Of a draw that has_rare_values().
 void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                       const PrimitiveFrame& frame, RarePlanes& out);
-/// A primitive's colours at pixels with outer centres, if nothing but the vertices makes them.
+/// A primitive's colours at pixels with outer centres, before texture. The frame is any that is not
+/// limited.
 struct OuterColors {
-    static bool applies_to(const DrawOp& op);
+    static bool applies_to(const DrawOp& op, const SetupPrimitive& primitive);
     OuterColors(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
     /// At a centre, in sub-pixels.
     Rgba at(std::int64_t x, std::int64_t y) const;
@@ -153,6 +154,24 @@ struct OuterColors {
     std::array<LimitedPlane, 4> color;  ///< numerators if `perspective`
     LimitedPlane q;
     float one = 255;
+};
+/// The texture coordinates of one unit at pixels with outer centres.
+struct OuterCoordinates {
+    LimitedPlane q, s, t, r;
+    bool below_q = false;  ///< s and t are at most q
+};
+/// A primitive's texture coordinates at pixels with outer centres.
+class OuterTextures {
+public:
+    /// Sets nothing up if the draw is not textured.
+    OuterTextures(const TileDraw& draw, const SetupPrimitive& primitive,
+                  const PrimitiveFrame& frame);
+    /// At the pixel of a limited frame.
+    const TexturePlanes& at(const PrimitiveFrame& frame);
+
+private:
+    TexturePlanes planes_;
+    std::array<OuterCoordinates, max_texture_units> units_;
 };
 /// The size of a point.
 float point_size_of(const TileDraw& draw, const SetupPrimitive& primitive);

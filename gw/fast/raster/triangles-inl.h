@@ -239,10 +239,11 @@ HWY_INLINE void cover_small(Triangles& t) {
     }
 }
 
-/// Sets up the first triangles of a bin, up to batch_capacity, with depth planes if asked.
+/// Sets up the first triangles of a bin, up to batch_capacity, with depth planes if asked. `shift`
+/// is added to the jitter.
 inline void set_up_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, bool depth,
-                             Triangles& t) {
-    gather_corners(draw, bin, t.corners);
+                             Triangles& t, const JitterState& shift = {}) {
+    gather_corners(draw, bin, t.corners, shift);
     const int s = t.corners.s;
     pixel_extents(t.corners.x, t.corners.filled, s, draw.tile.x, draw.box.x0, draw.box.x1, t.x0,
                   t.x1);

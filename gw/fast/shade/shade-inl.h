@@ -136,15 +136,11 @@ HWY_NOINLINE inline void combine_block(const DrawOp& op, const ColorBlock& color
     }
 }
 
-/// texture_environment() of gw/stages/tables.h.
-HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& color,
+/// texture_environment() of gw/stages/tables.h, without Combine. `out` may be `color`.
+HWY_NOINLINE inline void apply_environment(TexEnv mode, TextureFormat format, const Rgba& env,
+                                           int bits, const ColorBlock& color,
                                            const ColorBlock& texel, ColorBlock& out) {
-    const TexEnv mode = op.state.state.texture.env;
-    const TextureFormat format = op.texels->texels.format;
-    const Rgba& env = op.state.env_color;
-    const int bits = op.state.bits;
     if (mode == TexEnv::Modulate && bits == 8) return modulate_bytes(color, texel, out);
-    if (mode == TexEnv::Combine) return combine_block(op, color, texel, out);
     const D32 d;
     const auto max = hn::Set(d, max_of_bits(bits));
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
@@ -168,6 +164,33 @@ HWY_NOINLINE inline void apply_environment(const DrawOp& op, const ColorBlock& c
             }
             store16(v, out.channel[c] + i);
         }
+    }
+}
+
+/// The environment of unit 0.
+HWY_INLINE void apply_first(const DrawOp& op, const ColorBlock& color, const ColorBlock& texel,
+                            ColorBlock& out) {
+    const TexEnv mode = op.state.state.texture.env;
+    if (mode == TexEnv::Combine) return combine_block(op, color, texel, out);
+    apply_environment(mode, op.texels->texels.format, op.state.env_color, op.state.bits, color,
+                      texel, out);
+}
+/// The environments of all units in turn.
+HWY_NOINLINE inline void apply_all(const TileDraw& draw, const ColorBlock& color,
+                                   const TexelBlocks& texels, ColorBlock& out) {
+    const DrawOp& op = *draw.op;
+    const auto mode = [&](std::size_t unit) { return texture_of(op.state.state, unit).env; };
+    const auto is_on = [&](std::size_t unit) { return (*op.units)[unit].texels != nullptr; };
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if (is_on(unit) && mode(unit) == TexEnv::Combine)
+            return apply_units(draw, color, texels, out);
+    const ColorBlock* from = &color;
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+        if (!is_on(unit)) continue;
+        apply_environment(mode(unit), (*op.units)[unit].texels->texels.format,
+                          op.state.texture(unit).env_color, op.state.bits, *from, texels[unit],
+                          out);
+        from = &out;
     }
 }
 
@@ -248,9 +271,9 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     const ColorBlock* color = &in.color;
     if (op.texels) {
         if (op.units)
-            apply_units(draw, *color, in.texels, in.out);
+            apply_all(draw, *color, in.texels, in.out);
         else
-            apply_environment(op, *color, texel, in.out);
+            apply_first(op, *color, texel, in.out);
         color = &in.out;
     }
     if (op.sums_colors) {
