@@ -172,8 +172,7 @@ private:
         for (std::size_t c = 0; c < 4; ++c) outer_.color.channel[c][lane] = color[c];
         if (!draw_.op->texels) return;
         const TexturePlanes& planes = outer_once_->textures.at(at);
-        if (textures_by_pixel(*draw_.op))
-            return sample_by_pixel(planes, draw_, bx, by, 1u << lane, outer_.texels);
+        if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, outer_);
         ShadeInputs one;
         look_up(planes, draw_, bx, by, 1u << lane, one);
         copy_lane(one.texels[0], lane, outer_.texels[0]);

@@ -170,22 +170,30 @@ std::vector<std::size_t> Frame::tiles_of(const Rect& rect) const {
     return tiles;
 }
 
-std::uint32_t Frame::depth_at(int x, int y) const {
+Frame::DepthPlace Frame::depth_place(int x, int y) const {
     const int mask = grid_.side() - 1, i = x & mask, j = y & mask;
     const int bx = i / block_side, by = j / block_side;
     const std::size_t tile =
         std::size_t((y >> grid_.log2_tile) * grid_.columns() + (x >> grid_.log2_tile));
     const std::size_t first = tile * grid_.blocks_per_tile();
     const int groups_per_row = grid_.side() / group_side;
-    const UniformGroup& group =
-        uniform_[first / (group_blocks * group_blocks) +
-                 std::size_t(by / group_blocks * groups_per_row + bx / group_blocks)];
-    const std::uint32_t k = Tile::in_group(bx, by);
-    if (group.one_depth >> k & 1) return group.depth[k];
-    if (group.one_plane >> k & 1)
-        return std::uint32_t(value_of(depth_planes_[tile][group.depth[k]], i, j));
-    return depth_[first + std::size_t(by * grid_.blocks_per_row() + bx)]
-        .value[j % block_side * block_side + i % block_side];
+    return {&uniform_[first / (group_blocks * group_blocks) +
+                      std::size_t(by / group_blocks * groups_per_row + bx / group_blocks)],
+            &depth_[first + std::size_t(by * grid_.blocks_per_row() + bx)],
+            Tile::in_group(bx, by),
+            std::uint32_t(j % block_side * block_side + i % block_side),
+            std::uint32_t(tile),
+            i,
+            j};
+}
+
+std::uint32_t Frame::depth_at(const DepthPlace& place) const {
+    const UniformGroup& group = *place.group;
+    if (group.one_depth >> place.in_group & 1) return group.depth[place.in_group];
+    if (group.one_plane >> place.in_group & 1)
+        return std::uint32_t(
+            value_of(depth_planes_[place.tile][group.depth[place.in_group]], place.i, place.j));
+    return place.block->value[place.lane];
 }
 
 }  // namespace gw::fast

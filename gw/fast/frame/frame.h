@@ -106,8 +106,16 @@ public:
     Rect whole() const { return {0, 0, grid_.width, grid_.height}; }
     std::vector<std::size_t> tiles_of(const Rect& rect) const;
 
-    /// The depth of a pixel, wherever it is stored.
-    std::uint32_t depth_at(int x, int y) const;
+    /// Where the depth of a pixel is stored.
+    struct DepthPlace {
+        const UniformGroup* group;
+        const DepthBlock* block;
+        std::uint32_t in_group, lane;
+        std::uint32_t tile;
+        int i, j;  ///< the pixel in the tile
+    };
+    DepthPlace depth_place(int x, int y) const;
+    std::uint32_t depth_at(const DepthPlace& place) const;
 
 private:
     void exchange_colors();

@@ -15,8 +15,10 @@
 namespace gw::fast {
 
 struct DrawOp;
+struct FastTexels;
 struct SetupPrimitive;
 struct TileDraw;
+struct UnitOp;
 
 /// Colour and fog.
 struct ColorPlanes {
@@ -186,9 +188,19 @@ void find_rare_values(const RarePlanes& planes, const TileDraw& draw, int bx, in
 
 /// The texels of a block, by unit.
 using TexelBlocks = std::array<ColorBlock, max_texture_units>;
-/// Lanes of `mask` in block (bx, by), one by one, of all units.
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
-                     std::uint32_t mask, TexelBlocks& out);
+/// Lanes of `mask` in block (bx, by), one by one, of one unit.
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
+                     const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out);
+
+/// A block's texels whose depths are compared, and r as a float scaled to depths.
+struct ComparedLanes {
+    alignas(64) std::int32_t i[block_pixels], j[block_pixels];  ///< before they wrap
+    alignas(64) float r[block_pixels];
+    std::uint32_t outside = 0;  ///< lanes with q below 1, which are lit
+};
+/// The comparisons of the lanes of `mask`.
+void compare_depths(const ComparedLanes& lanes, const TileDraw& draw, std::size_t unit,
+                    const FastTexels& texels, std::uint32_t mask, ColorBlock& out);
 /// The environments of a draw's units in turn.
 void apply_units(const TileDraw& draw, const ColorBlock& color, const TexelBlocks& texels,
                  ColorBlock& out);

@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/shade/colors-inl.h"
+#include "gw/fast/shade/compared-inl.h"
 #include "gw/fast/shade/coordinates-inl.h"
 #include "gw/fast/shade/texture-inl.h"
 #include "gw/fast/shade/wide_colors-inl.h"
@@ -287,10 +288,26 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     return *color;
 }
 
+/// Lanes of `mask` of the units that have rare look-ups.
+HWY_NOINLINE inline void look_up_by_pixel(const TexturePlanes& p, const TileDraw& draw, int bx,
+                                          int by, std::uint32_t mask, TexelBlocks& out) {
+    const DrawOp& op = *draw.op;
+    const auto look_up = [&](std::size_t number, const UnitOp& unit, const TexturePlanes& planes) {
+        if (compares_block(texture_of(op.state.state, number), unit, planes))
+            compare_block(planes, draw, number, unit, bx, by, mask, out[number]);
+        else
+            sample_by_pixel(planes, draw, number, unit, bx, by, mask, out[number]);
+    };
+    if (!op.units) return look_up(0, {op.texels, op.texcoords, op.projective}, p);
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+        if ((*op.units)[unit].texels)
+            look_up(unit, (*op.units)[unit], unit == 0 ? p : p.more[unit - 1]);
+}
+
 /// Looks up the lanes of `mask`, which one primitive covers.
 HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by,
                         std::uint32_t mask, ShadeInputs& in) {
-    if (textures_by_pixel(*draw.op)) return sample_by_pixel(p, draw, bx, by, mask, in.texels);
+    if (textures_by_pixel(*draw.op)) return look_up_by_pixel(p, draw, bx, by, mask, in.texels);
     const Sampler sampler = sampler_of(*draw.op);
     divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
     sample_block(sampler, in.divided, mask, in.texels[0]);

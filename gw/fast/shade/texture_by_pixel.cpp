@@ -5,6 +5,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/base/powers.h"
+#include "gw/base/prefetch.h"
 #include "gw/fast/plan/draw_op.h"
 #include "gw/fast/plan/texels.h"
 #include "gw/fast/plan/tile_draw.h"
@@ -74,8 +75,9 @@ struct PixelSampler {
     std::uint32_t stored_depth(const TexelLevel& level, int u, int v) const {
         const double border = state.border_color.x;
         if (!fast.frame) return nearest_depth(texels, level, how(), u, v, border);
-        return nearest_depth(level, how(), u, v, texels.depth_bits, border,
-                             [&](int x, int y) { return fast.frame->depth_at(x, y); });
+        return nearest_depth(level, how(), u, v, texels.depth_bits, border, [&](int x, int y) {
+            return fast.frame->depth_at(fast.frame->depth_place(x, y));
+        });
     }
 
     float rho() const {
@@ -120,8 +122,14 @@ struct PixelSampler {
     }
 };
 
-void sample_unit(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
-                 const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out) {
+Rgba lane_of(const ColorBlock& b, std::size_t i) {
+    return {b.channel[0][i], b.channel[1][i], b.channel[2][i], b.channel[3][i]};
+}
+
+}  // namespace
+
+void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
+                     const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out) {
     for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
         PixelSampler pixel{planes,
@@ -137,22 +145,68 @@ void sample_unit(const TexturePlanes& planes, const TileDraw& draw, std::size_t 
     }
 }
 
-Rgba lane_of(const ColorBlock& b, std::size_t i) {
-    return {b.channel[0][i], b.channel[1][i], b.channel[2][i], b.channel[3][i]};
+namespace {
+
+/// Fetches depths that a map has in different places of memory, all at once.
+class DepthFetch {
+public:
+    DepthFetch(const FastTexels& from, const TexelLevel& level) : from_(from), level_(level) {}
+
+    void begin(std::size_t lane, int i, int j) {
+        if (!from_.frame) return void(texel_[lane] = level_.index(i, j));
+        place_[lane] = from_.frame->depth_place(i, j);
+        prefetch(&place_[lane].group->depth, cache_line);
+        prefetch(&place_[lane].group->one_depth, 1);
+        prefetch(place_[lane].block, 1);
+    }
+    std::uint32_t end(std::size_t lane) const {
+        if (from_.frame) return from_.frame->depth_at(place_[lane]);
+        return from_.texels.depths[texel_[lane]];
+    }
+
+private:
+    const FastTexels& from_;
+    const TexelLevel& level_;
+    std::array<std::size_t, block_pixels> texel_;
+    std::array<Frame::DepthPlace, block_pixels> place_;
+};
+
+std::uint32_t as_depth(float r, int bits) {
+    if (!(r >= 1)) return 0;
+    if (r >= static_cast<float>(power_of_two(bits))) return max_of_bits(bits);
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(r));
 }
 
 }  // namespace
 
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, int bx, int by,
-                     std::uint32_t mask, TexelBlocks& out) {
-    const DrawOp& op = *draw.op;
-    if (!op.units)
-        return sample_unit(planes, draw, 0, {op.texels, op.texcoords, op.projective}, bx, by, mask,
-                           out[0]);
-    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
-        if ((*op.units)[unit].texels)
-            sample_unit(unit == 0 ? planes : planes.more[unit - 1], draw, unit, (*op.units)[unit],
-                        bx, by, mask, out[unit]);
+void compare_depths(const ComparedLanes& lanes, const TileDraw& draw, std::size_t unit,
+                    const FastTexels& fast, std::uint32_t mask, ColorBlock& out) {
+    const TextureState& state = texture_of(draw.op->state.state, unit);
+    const Texels& texels = fast.texels;
+    const int base = level_range(state, int(texels.levels.size())).base;
+    const TexelLevel& level = texels.levels[std::size_t(base)];
+    const Addressing how = addressing(state, texels, draw.op->state.texture(unit).border_color);
+    DepthFetch fetch(fast, level);
+    std::uint32_t inside = 0;
+    for (std::uint32_t rest = mask & ~lanes.outside; rest != 0; rest &= rest - 1) {
+        const auto lane = std::size_t(std::countr_zero(rest));
+        const int i = wrap_index(how.wrap_s, lanes.i[lane], level.width),
+                  j = wrap_index(how.wrap_t, lanes.j[lane], level.height);
+        if (i < 0 || j < 0 || i >= level.width || j >= level.height) continue;
+        fetch.begin(lane, i, j);
+        inside |= 1u << lane;
+    }
+    const std::uint32_t border = quantize(state.border_color.x, texels.depth_bits),
+                        one = max_of_bits(texels.bits);
+    for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {
+        const auto lane = std::size_t(std::countr_zero(rest));
+        const auto passes = [&] {
+            const std::uint32_t stored = (inside >> lane & 1) != 0 ? fetch.end(lane) : border;
+            return compare(state.compare_func, as_depth(lanes.r[lane], texels.depth_bits), stored);
+        };
+        const bool lit = (lanes.outside >> lane & 1) != 0 || passes();
+        for (auto& channel : out.channel) channel[lane] = static_cast<std::uint16_t>(lit ? one : 0);
+    }
 }
 
 void apply_units(const TileDraw& draw, const ColorBlock& color, const TexelBlocks& texels,
