@@ -4,7 +4,9 @@
 #include "gl/draw/targets.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+#include <cstdio>
 
 namespace gw::gl {
 
@@ -16,6 +18,16 @@ bool is_renderable(const Profile& profile, GLenum format) {
     return std::ranges::any_of(
         std::array{Plane::Color, Plane::Depth, Plane::Stencil},
         [&](Plane plane) { return suits_plane(profile, GLint(format), plane); });
+}
+
+/// Programs ask for floats whether or not GL_ARB_depth_buffer_float is offered.
+void warn_of_float_depths(GLenum format) {
+    if (format != GL_DEPTH_COMPONENT32F && format != GL_DEPTH32F_STENCIL8) return;
+    static std::atomic_flag warned;
+    if (warned.test_and_set()) return;
+    std::fprintf(stderr,
+                 "gw: warning: glRenderbufferStorage asks for float depths; they are stored in 32 "
+                 "bits from 0 to 1, evenly spaced\n");
 }
 
 /// None: INVALID_ENUM.
@@ -55,6 +67,7 @@ void renderbuffer_storage(Context& context, GLenum target, GLsizei samples, GLen
         return set_error(context, GL_INVALID_VALUE);
     Renderbuffer* const object = context.framebuffers.renderbuffer.get();
     if (object == nullptr) return set_error(context, GL_INVALID_OPERATION);
+    warn_of_float_depths(internal_format);
     begin_change(context);
     const auto lock = context.shared->exclusive();
     const int given = samples == 0 ? 0 : std::max(2, int(std::bit_ceil(unsigned(samples))));

@@ -25,7 +25,9 @@ int depth_bits_of(const Profile& profile, GLint internal_format) {
         case GL_DEPTH_COMPONENT16: return 16;
         case GL_DEPTH_COMPONENT24:
         case GL_DEPTH24_STENCIL8: return 24;
-        case GL_DEPTH_COMPONENT32: return 32;
+        case GL_DEPTH_COMPONENT32:
+        case GL_DEPTH_COMPONENT32F:
+        case GL_DEPTH32F_STENCIL8: return 32;
         case GL_DEPTH_COMPONENT:
         case GL_DEPTH_STENCIL: return profile.depth_bits;
     }
@@ -40,7 +42,8 @@ bool has_stencil(GLint internal_format) {
         case GL_STENCIL_INDEX8:
         case GL_STENCIL_INDEX16:
         case GL_DEPTH_STENCIL:
-        case GL_DEPTH24_STENCIL8: return true;
+        case GL_DEPTH24_STENCIL8:
+        case GL_DEPTH32F_STENCIL8: return true;
     }
     return false;
 }

@@ -51,6 +51,24 @@ TEST(GlFramebuffers, HaveThePixelsThatAllImagesHave) {
     EXPECT_GL_ERROR(GL_NO_ERROR);
 }
 
+/// MuJoCo asks for them in mjr_resizeOffscreen, whatever is offered.
+TEST(GlFramebuffers, StoreFloatDepthsIn32Bits) {
+    const Window window;
+    for (const GLenum format : {GL_DEPTH32F_STENCIL8, GL_DEPTH_COMPONENT32F}) {
+        new_framebuffer();
+        attach_renderbuffer(new_renderbuffer(GL_RGBA8, 8, 8));
+        attach_renderbuffer(new_renderbuffer(format, 8, 8), GL_DEPTH_ATTACHMENT);
+        EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_COMPLETE));
+        GLint bits = 0;
+        glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &bits);
+        EXPECT_EQ(bits, 32);
+        glClearDepth(0.75);
+        glClear(GL_DEPTH_BUFFER_BIT);
+        EXPECT_EQ(depth_at(7, 7), 0.75f);
+        EXPECT_GL_ERROR(GL_NO_ERROR);
+    }
+}
+
 /// What a framebuffer has not is not tested, although its texture's stencil is there.
 TEST(GlFramebuffers, LackWhatIsNotAttached) {
     const Window window;
