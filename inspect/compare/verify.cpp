@@ -116,12 +116,26 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
     }
 }
 
-/// Names the call that last wrote the finding's pixel in its pass.
+bool changes(const PixelEvent& e, Plane plane) {
+    switch (plane) {
+        case Plane::Color: return e.before.color != e.after.color;
+        case Plane::Back: return e.before.back != e.after.back;
+        case Plane::Depth: return e.before.depth != e.after.depth;
+        case Plane::Stencil: return e.before.stencil != e.after.stencil;
+        case Plane::Accum: return e.before.accum != e.after.accum;
+    }
+    return false;
+}
+
+/// Names the call that last changed the finding's plane at its pixel, in its pass.
 void find_call(Finding& finding, const Recording& recording) {
     if (!finding.pixel || CallNames(recording).empty()) return;
+    const auto plane = std::ranges::find_if(planes_in_order, [&](Plane p) {
+        return finding.what == std::string("plane ") + name_of(p);
+    });
     std::string last;
     for (const PixelEvent& e : pixel_history(recording, finding.pixel->x, finding.pixel->y))
-        if (e.pass == *finding.pass && e.before != e.after && !e.call.empty()) last = e.call;
+        if (e.pass == *finding.pass && changes(e, *plane) && !e.call.empty()) last = e.call;
     if (!last.empty()) finding.notes.push_back("last written by " + last);
 }
 

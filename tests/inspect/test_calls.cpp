@@ -124,6 +124,30 @@ TEST(Calls, StandInHistories) {
     EXPECT_NE(history_rows(pixel_history(three_passes(), 3, 2))[0].back(), "call");
 }
 
+/// Call 12 clears the stencil to `value`, call 101 the colour to white.
+Recording cleared_by_calls(int value) {
+    Recording r;
+    r.width = r.height = 1;
+    r.lists.resize(1);
+    r.lists[0].add(BeginPass{"frame 0"});
+    r.lists[0].add(Clear{.planes = mask_of(Plane::Stencil), .stencil = value});
+    r.lists[0].add(Clear{.planes = mask_of(Plane::Color), .color = {1, 1, 1, 1}});
+    CallTable table{.functions = {"glClear"}};
+    table.runs = {{.command = 1, .call = {.number = 12}}, {.command = 2, .call = {.number = 101}}};
+    r.calls = {table};
+    return r;
+}
+
+TEST(Calls, ThatChangedThePlaneAreNamedNotThoseThatChangedAnother) {
+    ValuesWriter values(1, 1);
+    const Manifest manifest = replayed_manifest(cleared_by_calls(3), maker_of("fast"), &values);
+    const auto v = verify(cleared_by_calls(4), manifest, values.finish(), maker_of("fast"),
+                          maker_of("reference"));
+    ASSERT_TRUE(v.finding);
+    EXPECT_EQ(v.finding->what, "plane stencil");
+    EXPECT_EQ(v.finding->notes.back(), "last written by call 12 glClear");
+}
+
 TEST(Calls, StandInDifferences) {
     Recording other = called();
     too_green(other.lists[0].commands[3]);
