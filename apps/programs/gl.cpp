@@ -25,7 +25,7 @@ struct GlOptions {
     std::string profile, machine, frames;
     int threads = 0;
     fs::path recording, picture;
-    bool statistics = false;
+    bool statistics = false, environment = false;
 };
 
 void add_machine(CLI::App& command, GlOptions& options) {
@@ -55,7 +55,6 @@ void add_options(CLI::App& command, GlOptions& options) {
     command
         .add_option("PROGRAM", options.program,
                     "The program and its arguments; -- before it, so that its options are its own")
-        ->required()
         ->type_name("WORD...");
     add_machine(command, options);
     command.add_option("--record", options.recording, "Everything that is drawn, as a recording")
@@ -75,6 +74,9 @@ void add_options(CLI::App& command, GlOptions& options) {
         ->type_name("IMAGE");
     command.add_flag("--stats", options.statistics,
                      "On stderr: frames a second; draws, fragments and barriers of a frame");
+    command.add_flag("--env", options.environment,
+                     "Run nothing; print the variables as a shell sets them, for every program "
+                     "that it starts from then on");
 }
 
 Profile profile_of(const std::string& word, Session& session) {
@@ -152,7 +154,27 @@ std::string missing(const GlOptions& options, const image::OutputFile* recording
     return "";
 }
 
+/// Word as a shell reads it.
+std::string quoted(const std::string& word) {
+    std::string out = "'";
+    for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+int print_environment(const GlOptions& options, Session& session) {
+    if (!options.program.empty() || !options.recording.empty() || !options.picture.empty() ||
+        options.statistics)
+        throw UsageError(
+            "--env takes no program, --record, --screenshot or --stats; expected GW_RECORD, "
+            "GW_SCREENSHOT or GW_STATS in the shell");
+    for (const auto& [name, value] : variables_of(options, session))
+        print(fmt::format("export {}={}\n", name, quoted(value)));
+    return Done;
+}
+
 int run_gl(const GlOptions& options, Session& session) {
+    if (options.environment) return print_environment(options, session);
+    if (options.program.empty()) throw UsageError("PROGRAM is required");
     if (!options.picture.empty()) check_picture_target(options.picture);
     Variables variables = variables_of(options, session);
     const ScratchFolder folder;
@@ -194,7 +216,7 @@ int run_gl(const GlOptions& options, Session& session) {
 
 Command add_gl(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("gl", "Runs a program that draws with OpenGL 1.1 on the machine");
+        app.add_subcommand("gl", "Runs a program that draws with OpenGL 1.5 on the machine");
     const auto options = std::make_shared<GlOptions>();
     add_options(*command, *options);
     command->footer(

@@ -240,8 +240,10 @@ std::string results_json(const PassStudy& study) {
     }
     for (const Omission& o : study.omissions)
         omitted.push_back({{"sweep", o.sweep}, {"why", o.why}});
-    return Json{{"command", study.command}, {"scene", study.scene}, {"profile", study.profile},
-                {"measured_by", about},     {"rows", rows},         {"omitted", omitted}}
+    return Json{
+               {"command", study.command}, {"scene", study.scene}, {"scene_hash", study.scene_hash},
+               {"profile", study.profile}, {"measured_by", about}, {"rows", rows},
+               {"omitted", omitted}}
                .dump(1) +
            "\n";
 }

@@ -26,6 +26,7 @@ struct Omission {
 
 struct PassStudy {
     std::string scene, profile;  ///< names
+    std::string scene_hash;      ///< as manifests have it; "": unknown
     std::string command;
     int runs = 0, color_bits = 8;
     std::vector<report::PriceList> lists;

@@ -5,8 +5,10 @@
 #include "apps/command/option_values.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
+#include "apps/recordings/recording_files.h"
 #include "apps/study/passes/plots.h"
 #include "gw/error.h"
+#include "inspect/recording/content.h"
 #include "render/options.h"
 
 #include <fmt/format.h>
@@ -216,6 +218,7 @@ int study_passes(const PassStudyOptions& options, Session& session) {
             throw Error(options.picture.scene.string() + ": " + why + "; expected no --sweep " +
                         plan.sweep->name);
     study.scene = options.picture.scene.filename().string();
+    study.scene_hash = to_string(inspect::scene_content(record(drawing, session, "")));
     study.profile = drawing.profile.name;
     study.command = shell_command(session.words);
     study.runs = options.runs;

@@ -58,6 +58,17 @@ TEST_F(PassesCommand, WritesTheSameCountsTwice) {
         EXPECT_FALSE(apps::bytes_of(in(std::string("out/") + name)).empty()) << name;
 }
 
+TEST_F(PassesCommand, NamesTheSceneByTheDigestThatManifestsHave) {
+    write_scene();
+    ASSERT_EQ(study({"--sweep", "depth=1"}).code, 0);
+    ASSERT_EQ(
+        gw({"record", "scene.toml", "-o", "t.gwt", "--size", "32x24", "--manifest", "m.json"}).code,
+        0);
+    const Json manifest = Json::parse(apps::bytes_of(in("m.json")));
+    EXPECT_EQ(results()["scene_hash"], manifest["scene"]["hash"]);
+    EXPECT_EQ(results()["scene_hash"].get<std::string>().size(), 32u);
+}
+
 TEST_F(PassesCommand, EstimatesAreItsCountsTimesItsPrices) {
     write_scene();
     std::filesystem::create_directory(in("prices"));
