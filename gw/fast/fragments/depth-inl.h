@@ -50,15 +50,32 @@ struct LessThan {
         return incoming < stored;
     }
 };
+/// Any test, as sums modulo 2 of the incoming depth being less, being equal, and 1: without
+/// branches.
 struct AnyCompare {
     static constexpr bool tests = true;
     DepthFunc func;
+    M32 less, equal, always;
+
+    HWY_INLINE explicit AnyCompare(DepthFunc f)
+        : func(f),
+          less(all_if(f == DepthFunc::Less || f == DepthFunc::LEqual || f == DepthFunc::Greater ||
+                      f == DepthFunc::GEqual)),
+          equal(all_if(f == DepthFunc::Equal || f == DepthFunc::LEqual || f == DepthFunc::Greater ||
+                       f == DepthFunc::NotEqual)),
+          always(all_if(f == DepthFunc::Always || f == DepthFunc::Greater ||
+                        f == DepthFunc::NotEqual || f == DepthFunc::GEqual)) {}
     HWY_INLINE M32 operator()(V32 incoming, V32 stored) const {
-        return compare_lanes(D32(), func, incoming, stored);
+        return hn::Xor(hn::Xor(hn::And(less, hn::Lt(incoming, stored)),
+                               hn::And(equal, hn::Eq(incoming, stored))),
+                       always);
     }
     HWY_INLINE bool of_one(std::uint32_t incoming, std::uint32_t stored) const {
         return compare(func, incoming, stored);
     }
+
+private:
+    HWY_INLINE static M32 all_if(bool all) { return hn::FirstN(D32(), all ? lanes32 : 0); }
 };
 
 /// Calls draw(passes) with the kind of a draw.

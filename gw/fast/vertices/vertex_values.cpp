@@ -74,6 +74,13 @@ struct PartVertices {
     std::span<T> of(std::vector<T>& values) const {
         return std::span(values).subspan(part.vertex, end - part.vertex);
     }
+    /// Calls visit(index in the set) for the vertices that clipping made.
+    template <typename Visit>
+    void for_each_place(const Visit& visit) const {
+        for (std::size_t i = part.clipped; i < clipped_end; ++i)
+            for (std::uint32_t k = 0; k < set.clipped[i].count; ++k)
+                visit(set.clipped[i].first + k);
+    }
     /// Calls store(index in the part, vertex) for the vertices that clipping made.
     template <typename Store>
     void for_each_new(const VertexProgram& program, const Store& store) const {
@@ -295,13 +302,19 @@ bool are_wide(const VertexTexcoords& texcoords) {
     const auto spans_more = [](const dvec4& least, const dvec4& greatest) {
         return is_wide(least.x, greatest.x) || is_wide(least.y, greatest.y);
     };
+    const VertexInputs& inputs = texcoords.inputs;
     dvec4 least(0), greatest(0);
-    for (const dvec4& v : texcoords.strq) {
-        least = glm::min(least, v);
-        greatest = glm::max(greatest, v);
+    const auto include = [&](std::size_t vertex) {
+        least = glm::min(least, texcoords.strq[vertex]);
+        greatest = glm::max(greatest, texcoords.strq[vertex]);
+    };
+    for (std::size_t i = 0; i < inputs.set->parts.size(); ++i) {
+        if (!inputs.draws[i]) continue;
+        const PartVertices vertices(*inputs.set, i);
+        for (const std::uint32_t v : vertices.used) include(vertices.part.vertex + v);
+        vertices.for_each_place(include);
     }
     if (!spans_more(least, greatest)) return false;
-    const VertexInputs& inputs = texcoords.inputs;
     return std::ranges::any_of(inputs.set->primitives, [&](const SetupPrimitive& p) {
         if (!inputs.draws[p.part]) return false;
         const dvec4 &a = texcoords.strq[p.vertex[0]], &b = texcoords.strq[p.vertex[1]],
@@ -319,7 +332,10 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
     unlit.color_source = ColorSource::PolygonId;
     unlit.fog.enable = false;
     Programs programs(unlit, profile);
-    out.strq.resize(set->vertex_count());
+    if (out.strq.size() < set->vertex_count()) {
+        out.strq.clear();
+        out.strq.resize(set->vertex_count());
+    }
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
         const PartVertices vertices(*set, i);

@@ -73,10 +73,11 @@ struct VertexFog {
 };
 struct VertexTexcoords {
     VertexInputs inputs;
-    std::vector<dvec4> strq;
+    std::vector<dvec4>
+        strq;               ///< at least as many; those of vertices that nothing uses are arbitrary
     bool are_wide = false;  ///< s or t of a primitive (R9.19)
 
-    void clear() { strq.clear(); }
+    void clear() {}
     std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }
 };
 
