@@ -10,6 +10,7 @@
 
 #include "gw/fast/fragments/antialiased-inl.h"
 #include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/fragments/outer_pixels-inl.h"
 #include "gw/fast/fragments/smooth_painter-inl.h"
 #include "gw/fast/raster/lines_and_points-inl.h"
 #include "gw/fast/raster/sampled_triangles-inl.h"
@@ -147,45 +148,21 @@ private:
 
     /// The colours of lanes with outer centres.
     HWY_NOINLINE void shade_outer(int bx, int by, std::uint32_t lanes) {
-        const bool once = OuterColors::applies_to(*draw_.op, primitive_);
-        if (once && !outer_once_) outer_once_.emplace(draw_, primitive_, center());
-        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
-            const int lane = std::countr_zero(rest);
-            const PrimitiveFrame at = outer_frame(draw_, center(), bx, by, lane);
-            if (once)
-                put_outer(at, bx, by, lane);
-            else
-                copy_lane(outer_color(draw_, primitive_, at, bx, by, 1u << lane, outer_), lane,
-                          color_);
+        if (!OuterPixels::applies_to(planes_, i_)) {
+            for (; lanes != 0; lanes &= lanes - 1) {
+                const int lane = std::countr_zero(lanes);
+                const PrimitiveFrame at = outer_frame(draw_, center(), bx, by, lane);
+                copy_lane(outer_color(draw_, primitive_, at, bx, by, 1u << lane, outer_inputs_),
+                          lane, color_);
+            }
+            return;
         }
-        if (!once) return;
-        const ColorBlock& colors = shaded(draw_, outer_.texels[0], outer_);
+        if (!outer_) outer_.emplace(planes_, i_, ordinal_);
         for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1)
-            copy_lane(colors, std::countr_zero(rest), color_);
+            outer_->put(bx, by, std::countr_zero(rest), outer_inputs_);
+        const ColorBlock& colors = shaded(draw_, outer_inputs_.texels[0], outer_inputs_);
+        for (; lanes != 0; lanes &= lanes - 1) copy_lane(colors, std::countr_zero(lanes), color_);
     }
-    static void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {
-        for (std::size_t c = 0; c < 4; ++c) to.channel[c][lane] = from.channel[c][lane];
-    }
-    /// Puts colour and texels of one pixel into the inputs of the outer lanes.
-    void put_outer(const PrimitiveFrame& at, int bx, int by, int lane) {
-        const Rgba color = outer_once_->colors.at(at.pixel_x, at.pixel_y);
-        for (std::size_t c = 0; c < 4; ++c) outer_.color.channel[c][lane] = color[c];
-        if (!draw_.op->texels) return;
-        const TexturePlanes& planes = outer_once_->textures.at(at);
-        if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, outer_);
-        ShadeInputs one;
-        look_up(planes, draw_, bx, by, 1u << lane, one);
-        copy_lane(one.texels[0], lane, outer_.texels[0]);
-    }
-
-    /// What all outer pixels of the primitive share.
-    struct OuterOnce {
-        OuterColors colors;
-        OuterTextures textures;
-        OuterOnce(const TileDraw& draw, const SetupPrimitive& primitive,
-                  const PrimitiveFrame& center)
-            : colors(draw, primitive, center), textures(draw, primitive, center) {}
-    };
 
     BatchPlanes& planes_;
     const TileDraw& draw_;
@@ -199,8 +176,8 @@ private:
     bool is_shaded_ = false;
     ColorBlock color_;
     SampleLanes kept_by_alpha_{};
-    ShadeInputs outer_;
-    std::optional<OuterOnce> outer_once_;
+    ShadeInputs outer_inputs_;
+    std::optional<OuterPixels> outer_;
 };
 
 /// The lanes of a block that the box and the stipple leave.

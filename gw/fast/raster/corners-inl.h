@@ -142,7 +142,10 @@ struct PlaneBatch {
     alignas(64) std::int64_t c[batch_capacity];  ///< the same at the tile, modulo 2^64
     alignas(64) std::int64_t gx[batch_capacity], gy[batch_capacity];
     std::uint32_t sure = 0;  ///< lanes whose plane is set
+    /// of the values at the corners, if set_limits() was called
+    alignas(64) std::int32_t low[batch_capacity], high[batch_capacity];
 
+    HWY_INLINE PlaneLimits limits(std::size_t i) const { return {low[i], high[i]}; }
     HWY_INLINE TilePlane at(std::size_t i) const {
         return {static_cast<std::uint64_t>(c[i]), gx[i], gy[i]};
     }
@@ -251,6 +254,17 @@ HWY_INLINE PlaneLanes plane_lanes(const Corners& t, std::size_t i, const PlanePr
                               hn::Floor(hn::Mul(step, all(1.0 / double(1 << t.s)))));
     return {integers(x.value), integers(y.value), hn::ConvertTo(I64ForD64(), base),
             (1u << hn::Lanes(d)) - 1};
+}
+
+/// Keeps the limits of values of at most 31 bits.
+template <class Value>
+HWY_INLINE void set_limits(const Corners& t, const Value& value, PlaneBatch& out) {
+    const I32ForD64 d;
+    for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64())) {
+        const auto a = value(0, i), b = value(1, i), c = value(2, i);
+        hn::Store(hn::DemoteTo(d, hn::Min(a, hn::Min(b, c))), d, out.low + i);
+        hn::Store(hn::DemoteTo(d, hn::Max(a, hn::Max(b, c))), d, out.high + i);
+    }
 }
 
 /// Planes through integer values, a vector of triangles at a time: value(corner, first lane).

@@ -208,6 +208,7 @@ struct Maker {
     }
 
     void texture(TexturePlanes& out, std::size_t number, const UnitOp& unit) const {
+        out.has_limits = false;
         if (primitive.kind == MeshKind::Points && is_sprite(state(), number))
             return sprite(out, unit, is_one_dimensional(*op().draws[0], number));
         const TextureState& ts = texture_of(state(), number);
@@ -289,6 +290,7 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
 void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame, ColorPlanes& out) {
     const Maker make{draw, primitive, frame};
+    out.has_limits = false;
     make.color(out);
     if (make.state().color_source == ColorSource::PolygonId) return;
     if (out.perspective || draw.op->fog_table) out.q = make.denominator();

@@ -20,13 +20,27 @@ struct SetupPrimitive;
 struct TileDraw;
 struct UnitOp;
 
+/// The least and the greatest of a plane's values at the corners.
+struct PlaneLimits {
+    std::int32_t low = 0, high = 0;
+
+    /// The plane at a pixel of the tile with an outer centre (R9.28).
+    std::int64_t at(const TilePlane& p, int i, int j) const {
+        const std::uint64_t v =
+            p.c + std::uint64_t(p.gx) * std::uint64_t(i) + std::uint64_t(p.gy) * std::uint64_t(j);
+        return std::clamp<std::int64_t>(static_cast<std::int64_t>(v) >> 16, low, high);
+    }
+};
+
 /// Colour and fog.
 struct ColorPlanes {
     TilePlane color[4];  ///< numerators if `perspective`
     bool perspective = false;
-    Rgba low{}, high{};  ///< of the corners, by channel
-    TilePlane q;         ///< denominator, if colour or fog needs one
-    TilePlane fog;       ///< factor, or numerator of the coordinate
+    Rgba low{}, high{};       ///< of the corners, by channel
+    bool has_limits = false;  ///< the following are set
+    PlaneLimits limits[4], q_limits;
+    TilePlane q;    ///< denominator, if colour or fog needs one
+    TilePlane fog;  ///< factor, or numerator of the coordinate
     float fog_scale = 1;
 };
 
@@ -82,13 +96,16 @@ struct TexturePlane {
     std::int32_t k = 0;  ///< 0 under Repeat
     CoordinateSlope slope;
     PlaneSlope plane_slope;  ///< of textures with r
+    PlaneLimits limits;      ///< if TexturePlanes::has_limits
 };
 
 struct TexturePlanes {
     TilePlane q;
     TexturePlane s, t, r;
-    int slope_x = 0, slope_y = 0;     ///< window pixel that the slopes are given at
-    PlaneSlope q_slope;               ///< of textures with r
+    int slope_x = 0, slope_y = 0;  ///< window pixel that the slopes are given at
+    PlaneSlope q_slope;            ///< of textures with r
+    bool has_limits = false;
+    PlaneLimits q_limits;
     std::vector<TexturePlanes> more;  ///< of units 1 to 3, if the draw has several
 };
 
@@ -134,6 +151,7 @@ struct BatchScratch {
     RarePlanes rare[batch_capacity];
     TexturePlanes texture[batch_capacity];
     TexelQueue queue;
+    TexturePlanes outer;  ///< at one pixel with an outer centre
 };
 
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,

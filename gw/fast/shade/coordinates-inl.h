@@ -95,10 +95,12 @@ HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
     return bits_of(d, finite, hn::Lanes(d));
 }
 
+/// Planes, and their limits.
 HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_capacity],
                                PlaneBatch& out) {
-    set_up_planes(
-        t, [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); }, out);
+    const auto at = [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); };
+    set_up_planes(t, at, out);
+    set_limits(t, at, out);
 }
 
 HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, RatioBatch& out) {
@@ -185,6 +187,7 @@ struct UnitBatch {
         put_plane(c.plane, i, out.plane);
         out.exponent = int(c.exponent[i]);
         out.k = std::int32_t(c.k[i]);
+        out.limits = c.plane.limits(i);
         out.slope = {};
         if (has_slopes()) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
         if (has_plane_slopes()) out.plane_slope = slope_of(c.plane, i);
@@ -193,6 +196,8 @@ struct UnitBatch {
     HWY_INLINE void put(const TileDraw& draw, const Corners& t, std::size_t i, const PlaneBatch& q,
                         TexturePlanes& out) const {
         put_plane(q, i, out.q);
+        out.q_limits = q.limits(i);
+        out.has_limits = true;
         if (has_plane_slopes()) out.q_slope = slope_of(q, i);
         out.slope_x = draw.tile.x - t.to_x[i];
         out.slope_y = draw.tile.y - t.to_y[i];

@@ -28,14 +28,15 @@ HWY_NOINLINE inline void channel_numerators(const Corners& t, const ColorWords& 
                                             PlaneBatch& out) {
     const U64ForD64 u;
     const auto max = all(max_of_bits(bits)), unit = all(coordinate_unit);
-    set_up_planes(
-        t,
-        [&](std::size_t k, std::size_t i) {
+    alignas(64) double value[3][batch_capacity];
+    for (std::size_t k = 0; k < 3; ++k)
+        for (std::size_t i = 0; i < t.filled; i += hn::Lanes(D64())) {
             const auto word = hn::ShiftRightSame(hn::Load(u, colors.at[k] + i), int(16 * c));
             const auto fraction = hn::Div(to_double(hn::And(word, hn::Set(u, 0xFFFFu))), max);
-            return nearest(hn::Mul(hn::Mul(unit, fraction), hn::Load(D64(), ratio.at[k] + i)));
-        },
-        out);
+            hn::Store(nearest(hn::Mul(hn::Mul(unit, fraction), hn::Load(D64(), ratio.at[k] + i))),
+                      D64(), value[k] + i);
+        }
+    planes_through(t, value, out);
 }
 
 #if HWY_TARGET == HWY_SCALAR
@@ -88,7 +89,10 @@ HWY_INLINE std::uint32_t perspective_channels(const TileDraw& draw, const Corner
     for (std::size_t c = 0; c < 4; ++c) {
         if ((differing >> (16 * c) & 0xFFFF) == 0) continue;
         channel_numerators(t, colors, c, ratio, draw.op->state.bits, plane);
-        for (std::size_t i = 0; i < t.count; ++i) put_plane(plane, i, out[i].color[c]);
+        for (std::size_t i = 0; i < t.count; ++i) {
+            put_plane(plane, i, out[i].color[c]);
+            out[i].limits[c] = plane.limits(i);
+        }
         sure &= plane.sure;
     }
     return sure;
@@ -137,6 +141,8 @@ HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corner
     for (std::size_t i = 0; i < t.count; ++i) {
         out[i].perspective = op.perspective_color;
         put_plane(shared.q, i, out[i].q);
+        out[i].q_limits = shared.q.limits(i);
+        out[i].has_limits = true;
     }
     if (op.perspective_color)
         sure &= perspective_channels(draw, t, ratio, out);

@@ -1,0 +1,154 @@
+// Colours and texels of a primitive's pixels with outer centres (R9.28): planes limited to the values
+// at the corners. docs/manual/samples.md; scalar twin: gw/reference/interpolants.cpp. Does not join
+// colours and texels. Included once per Highway target.
+#if defined(GW_FAST_OUTER_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_OUTER_PIXELS_INL_H_
+#undef GW_FAST_OUTER_PIXELS_INL_H_
+#else
+#define GW_FAST_OUTER_PIXELS_INL_H_
+#endif
+
+#include "gw/fast/fragments/smooth_painter-inl.h"
+#include "gw/fast/shade/batch-inl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Copies one lane of a block.
+HWY_INLINE void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {
+    for (std::size_t c = 0; c < 4; ++c) to.channel[c][lane] = from.channel[c][lane];
+}
+
+/// Primitive i of a batch. The batch's planes serve if they have limits; if not, scalar code makes
+/// planes.
+class OuterPixels {
+public:
+    HWY_INLINE static bool applies_to(const BatchPlanes& planes, std::size_t i) {
+        return OuterColors::applies_to(*planes.draw.op, *planes.corners.primitive[i]);
+    }
+
+    HWY_NOINLINE OuterPixels(BatchPlanes& planes, std::size_t i, std::uint32_t ordinal)
+        : draw_(planes.draw),
+          primitive_(*planes.corners.primitive[i]),
+          ordinal_(ordinal),
+          color_(planes.scratch.color[i]),
+          texture_(planes.scratch.texture[i]),
+          moved_(planes.scratch.outer) {
+        planes.make();
+        if (planes.narrow || !color_.perspective || !has_limits(color_))
+            scalar_colors_.emplace(draw_, primitive_, frame());
+        if (!draw_.op->texels) return;
+        if (has_limits())
+            moved_ = texture_;
+        else
+            scalar_textures_.emplace(draw_, primitive_, frame());
+    }
+
+    /// Puts the colour and the texels of one pixel into the inputs of shading.
+    HWY_INLINE void put(int bx, int by, int lane, ShadeInputs& in) {
+        const Rgba color = color_at(bx, by, lane);
+        for (std::size_t c = 0; c < 4; ++c) in.color.channel[c][lane] = color[c];
+        if (!draw_.op->texels) return;
+        const TexturePlanes& planes = texture_at(bx, by, lane);
+        if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, in);
+        ShadeInputs one;
+        look_up(planes, draw_, bx, by, 1u << lane, one);
+        copy_lane(one.texels[0], lane, in.texels[0]);
+    }
+
+private:
+    /// A pixel next to the primitive, evaluated in 64 bits, does not wrap.
+    HWY_INLINE static bool is_flat_enough(const TilePlane& p) {
+        constexpr std::int64_t limit = std::int64_t{1} << 52;
+        return !p.sliver && std::abs(p.gx) < limit && std::abs(p.gy) < limit;
+    }
+    HWY_INLINE static bool has_limits(const ColorPlanes& p) {
+        bool flat = is_flat_enough(p.q);
+        for (std::size_t c = 0; c < 4; ++c)
+            flat = flat && (p.low[c] == p.high[c] || is_flat_enough(p.color[c]));
+        return p.has_limits && flat;
+    }
+    HWY_INLINE static bool has_limits(const TexturePlanes& p) {
+        return p.has_limits && is_flat_enough(p.q) && is_flat_enough(p.s.plane) &&
+               is_flat_enough(p.t.plane) && is_flat_enough(p.r.plane);
+    }
+    template <class Planes>
+    HWY_INLINE static Planes& of_unit(Planes& planes, std::size_t unit) {
+        return unit == 0 ? planes : planes.more[unit - 1];
+    }
+    HWY_INLINE bool is_on(std::size_t unit) const {
+        return draw_.op->units ? (*draw_.op->units)[unit].texels != nullptr : unit == 0;
+    }
+    HWY_INLINE bool is_projective(std::size_t unit) const {
+        return draw_.op->units ? (*draw_.op->units)[unit].projective : draw_.op->projective;
+    }
+    HWY_INLINE bool has_limits() const {
+        bool all = true;
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit)
+            all = all && (!is_on(unit) || has_limits(of_unit(texture_, unit)));
+        return all;
+    }
+    HWY_NOINLINE const PrimitiveFrame& frame() {
+        if (!frame_) frame_ = frame_of(draw_, ordinal_);
+        return *frame_;
+    }
+    HWY_INLINE Rgba color_at(int bx, int by, int lane) {
+        if (scalar_colors_) {
+            const PrimitiveFrame at = outer_frame(draw_, frame(), bx, by, lane);
+            return scalar_colors_->at(at.pixel_x, at.pixel_y);
+        }
+        const int i = bx * block_side + lane % block_side, j = by * block_side + lane / block_side;
+        const std::int64_t q = color_.q_limits.at(color_.q, i, j);
+        const float w = 1.0f / static_cast<float>(q),
+                    one = static_cast<float>(max_of_bits(draw_.op->state.bits));
+        Rgba out = color_.low;
+        for (std::size_t c = 0; c < 4; ++c) {
+            if (color_.low[c] == color_.high[c]) continue;
+            const std::int64_t v = std::min(color_.limits[c].at(color_.color[c], i, j), q);
+            out[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(
+                static_cast<std::int64_t>(std::nearbyint((static_cast<float>(v) * w) * one)),
+                color_.low[c], color_.high[c]));
+        }
+        return out;
+    }
+    HWY_INLINE const TexturePlanes& texture_at(int bx, int by, int lane) {
+        if (scalar_textures_)
+            return scalar_textures_->at(outer_frame(draw_, frame(), bx, by, lane));
+        const int i = bx * block_side + lane % block_side, j = by * block_side + lane / block_side;
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+            if (!is_on(unit)) continue;
+            const TexturePlanes& from = of_unit(texture_, unit);
+            TexturePlanes& to = of_unit(moved_, unit);
+            const std::int64_t q = from.q_limits.at(from.q, i, j);
+            const auto value = [&](const TexturePlane& p) {
+                const std::int64_t v = p.limits.at(p.plane, i, j);
+                return PrimitiveFrame::constant(is_projective(unit) ? v : std::min(v, q));
+            };
+            to.q = PrimitiveFrame::constant(q);
+            to.s.plane = value(from.s);
+            to.t.plane = value(from.t);
+            to.r.plane = value(from.r);
+        }
+        return moved_;
+    }
+
+    const TileDraw& draw_;
+    const SetupPrimitive& primitive_;
+    const std::uint32_t ordinal_;
+    const ColorPlanes& color_;
+    const TexturePlanes& texture_;
+    TexturePlanes& moved_;
+    std::optional<PrimitiveFrame> frame_;
+    std::optional<OuterColors> scalar_colors_;
+    std::optional<OuterTextures> scalar_textures_;
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
