@@ -49,6 +49,8 @@ public:
     /// The number of the frame that is being drawn, from 0.
     std::uint64_t frame() const { return frame_.number(); }
     const Planes& planes();
+    /// As they are shown, if something lies between planes and screen: of IRIS GL, a colour map.
+    virtual const Planes& shown() { return planes(); }
     /// The state after the commands so far; null: none has set one.
     const gw::State* state() const { return frame_.state(); }
 

@@ -29,7 +29,7 @@ Screenshot::Screenshot(std::string file, const FrameRange& frames)
 
 void Screenshot::end_frame(Drawable& drawable) {
     if (!range_.holds(drawable.frame())) return;
-    const std::string picture = ppm_of(drawable.planes(), drawable.profile().color_bits);
+    const std::string picture = ppm_of(drawable.shown(), drawable.profile().color_bits);
     if (failed_) return;
     const std::string fault = write_whole_file(file_, picture);
     failed_ = !fault.empty();

@@ -206,6 +206,16 @@ void ShownImage::show(gl::Drawable& drawable, gw::ReadBuffer buffer) {
     put();
 }
 
+void ShownImage::show_packed(std::span<const std::uint32_t> pixels, int width, int height) {
+    fit(width, height);
+    const PixelFormat& format = this->format(8);
+    store_rows(*memory_->image, [&](std::size_t i) {
+        const std::uint32_t c = pixels[i];
+        return format.pixel(c & 0xFF, c >> 8 & 0xFF, c >> 16 & 0xFF, c >> 24);
+    });
+    put();
+}
+
 void ShownImage::put() {
     const LockedDisplay locked(display_);
     XImage& image = *memory_->image;

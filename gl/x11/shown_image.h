@@ -46,6 +46,8 @@ public:
 
     /// A window that is no longer there shows nothing, without an error.
     void show(gl::Drawable& drawable, gw::ReadBuffer buffer = gw::ReadBuffer::Front);
+    /// Colours of 8 bits, R lowest, bottom row first.
+    void show_packed(std::span<const std::uint32_t> pixels, int width, int height);
     /// Makes the image so large. Precondition: nobody is filling it.
     void fit(int width, int height);
     /// An image's words, to be filled in this layout, and put().

@@ -1,0 +1,126 @@
+// The event queue, valuators, buttons, cursors.
+#include "irisgl/state/events.h"
+#include "irisgl/calls/shared.h"
+#include "irisgl/state/program.h"
+#include "irisgl/window/window.h"
+
+#include "generated/irisgl/calls.h"
+
+#include <algorithm>
+#include <string>
+
+namespace gw::irisgl::calls {
+
+namespace {
+
+Events& events() { return program().events; }
+
+bool is_device(const char* function, unsigned device) {
+    if (device >= 1 && device < MAXDEVICE) return true;
+    warn(std::string(function) + ": device " + std::to_string(device) + " is not known; it is ignored");
+    return false;
+}
+
+}  // namespace
+
+void qdevice(Device d) {
+    if (is_device("qdevice", d)) events().queued.insert(d);
+}
+void unqdevice(Device d) { events().queued.erase(d); }
+Boolean isqueued(Device d) { return events().queued.contains(d) ? 1 : 0; }
+
+long qread(short* value) {
+    poll(events().queue.empty());
+    if (events().queue.empty()) return 0;
+    const Event e = events().queue.front();
+    events().queue.pop_front();
+    if (value != nullptr) *value = short(e.value);
+    return long(e.device);
+}
+
+long qtest() {
+    poll(false);
+    return events().queue.empty() ? 0 : long(events().queue.front().device);
+}
+
+void qenter(short device, short value) { enter(unsigned(device), value); }
+void qreset() { events().queue.clear(); }
+
+long blkqread(short* data, short n) {
+    poll(events().queue.empty());
+    short count = 0;
+    while (data != nullptr && count + 1 < n && !events().queue.empty()) {
+        const Event e = events().queue.front();
+        events().queue.pop_front();
+        data[count++] = short(e.device);
+        data[count++] = short(e.value);
+    }
+    return count;
+}
+
+void tie(Device button, Device v1, Device v2) {
+    if (button >= 256)
+        return warn("tie: device " + std::to_string(button) + " is no button; it is ignored");
+    if (v1 == 0 && v2 == 0)
+        events().ties.erase(button);
+    else
+        events().ties[button] = {v1, v2};
+}
+
+Boolean getbutton(Device d) {
+    poll(false);
+    return events().down.contains(d) ? 1 : 0;
+}
+long getvaluator(Device d) {
+    poll(false);
+    return events().valuators[d].value;
+}
+void setvaluator(Device d, short value, short low, short high) {
+    if (d < 256 || d >= 512) return warn("setvaluator: the device is no valuator; it is ignored");
+    events().valuators[d] = {.value = value, .low = low, .high = high};
+}
+void getdev(long n, Device* devices, short* values) {
+    for (long i = 0; i < n; ++i)
+        values[i] = short(devices[i] < 256 ? getbutton(devices[i]) : getvaluator(devices[i]));
+}
+void noise(Device d, short delta) { events().noise[d] = delta; }
+void attachcursor(Device, Device) {}
+void qgetfd() { warn("qgetfd: the queue has no file; it does nothing"); }
+void setbell(char) {}
+void ringbell() {
+    if (program().current != nullptr && current_window().host() != nullptr) current_window().host()->ring();
+}
+void lampon(char) {}
+void lampoff(char) {}
+void clkon() {}
+void clkoff() {}
+void setdblights(unsigned long) {}
+void dbtext(const std::string&) {}
+
+void defcursor(short n, Values image) {
+    for (std::size_t i = 0; i < 16; ++i) program().cursors[n].rows[i] = std::uint16_t(image[i]);
+}
+void curstype(long type) {
+    if (type != C16X1) warn("curstype: cursors have 16 x 16 pixels and one bit");
+}
+void curorigin(short n, short x, short y) {
+    program().cursors[n].x = x;
+    program().cursors[n].y = y;
+}
+void setcursor(short n, Colorindex, Colorindex) { program().cursor = n; }
+void getcursor(short* n, unsigned short* c, unsigned short* mask, long* on) {
+    *n = program().cursor;
+    *c = 0;
+    *mask = 0;
+    *on = program().is_cursor_on;
+}
+void curson() {
+    program().is_cursor_on = true;
+    if (program().current != nullptr && current_window().host()) current_window().host()->show_cursor(true);
+}
+void cursoff() {
+    program().is_cursor_on = false;
+    if (program().current != nullptr && current_window().host()) current_window().host()->show_cursor(false);
+}
+
+}  // namespace gw::irisgl::calls

@@ -1,0 +1,145 @@
+// Textures: definitions, binding, coordinates.
+#include "irisgl/calls/shared.h"
+#include "irisgl/draw/primitives.h"
+#include "irisgl/state/program.h"
+
+#include "generated/irisgl/calls.h"
+
+#include <GL/gl.h>
+
+#include <algorithm>
+#include <string>
+
+namespace gw::irisgl::calls {
+
+namespace {
+
+constexpr GLuint texture_names = 0x60000000;
+
+/// The bytes of a texture: rows begin at whole words, the first component in the highest byte that
+/// they use.
+std::uint32_t component(Words image, std::size_t row_words, long x, long y, int components, int c) {
+    const std::size_t byte = std::size_t(x) * std::size_t(components) + std::size_t(c);
+    const std::uint32_t word = image.get(std::size_t(y) * row_words + byte / 4);
+    return word >> (24 - 8 * (byte % 4)) & 0xFF;
+}
+
+void read_texels(TextureDefinition& t, Words image) {
+    const std::size_t row_words = (std::size_t(t.width) * std::size_t(t.components) + 3) / 4;
+    t.rgba.clear();
+    for (long y = 0; y < t.height; ++y)
+        for (long x = 0; x < t.width; ++x) {
+            std::uint32_t v[4];
+            for (int c = 0; c < t.components; ++c) v[c] = component(image, row_words, x, y, t.components, c);
+            // 4: ABGR in a word; 3: BGR; 2: intensity and alpha; 1: intensity.
+            const int n = t.components;
+            const std::uint32_t r = n == 4 ? v[3] : n == 3 ? v[2] : v[0];
+            const std::uint32_t g = n == 4 ? v[2] : n == 3 ? v[1] : v[0];
+            const std::uint32_t b = n == 4 ? v[1] : n == 3 ? v[0] : v[0];
+            const std::uint32_t a = n == 4 ? v[0] : n == 2 ? v[1] : 255;
+            for (const std::uint32_t c : {r, g, b, a}) t.rgba.push_back(std::uint8_t(c));
+        }
+}
+
+GLint filter_of(int word) {
+    switch (word) {
+        case TX_POINT: return GL_NEAREST;
+        case TX_BILINEAR: return GL_LINEAR;
+        case TX_MIPMAP_POINT: return GL_NEAREST_MIPMAP_NEAREST;
+        case TX_MIPMAP_LINEAR: return GL_NEAREST_MIPMAP_LINEAR;
+        case TX_MIPMAP_BILINEAR: return GL_LINEAR_MIPMAP_NEAREST;
+        case TX_MIPMAP_TRILINEAR: return GL_LINEAR_MIPMAP_LINEAR;
+    }
+    return GL_LINEAR;
+}
+
+void set_property(int word, int value) {
+    const GLint wrap = value == TX_CLAMP ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+    if (word == TX_MINFILTER) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter_of(value));
+    if (word == TX_MAGFILTER)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value == TX_POINT ? GL_NEAREST : GL_LINEAR);
+    if (word == TX_WRAP || word == TX_WRAP_S) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    if (word == TX_WRAP || word == TX_WRAP_T) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+}
+
+/// Gives OpenGL the definition, with levels when the filter needs them.
+void upload(const TextureDefinition& t) {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    for (std::size_t i = 0; i + 1 < t.properties.size() && t.properties[i] != 0; i += 2)
+        set_property(int(t.properties[i]), int(t.properties[i + 1]));
+    glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GLsizei(t.width), GLsizei(t.height), 0, GL_RGBA,
+                 GL_UNSIGNED_BYTE, t.rgba.data());
+}
+
+GLenum axis_of(long coordinate) { return coordinate == TX_T ? GL_T : GL_S; }
+
+}  // namespace
+
+void texdef2d(long index, long components, long width, long height, Words image, long n, Values props) {
+    const bool fits = width > 0 && height > 0 && width <= 4096 && height <= 4096;
+    if (index <= 0 || components < 1 || components > 4 || !fits || !image.is_given())
+        return warn("texdef2d: texture " + std::to_string(index) + " of " + std::to_string(width) + " x " +
+                    std::to_string(height) + " texels of " + std::to_string(components) +
+                    " components; expected an index from 1, an image, 1 to 4 components and sides of 1 "
+                    "to 4096; it is ignored");
+    TextureDefinition& t = program().textures[index];
+    t.components = int(components);
+    t.width = width;
+    t.height = height;
+    t.properties.assign(props.begin(), props.begin() + std::min(n, long(props.size())));
+    read_texels(t, image);
+    ++t.version;
+}
+
+void texbind(long target, long index) {
+    if (target != TX_TEXTURE_0) return warn("texbind: expected TX_TEXTURE_0; it is ignored");
+    state().textured = index != 0;
+    if (index == 0) return glDisable(GL_TEXTURE_2D);
+    const auto found = program().textures.find(index);
+    if (found == program().textures.end()) {
+        state().textured = false;
+        return warn("texbind: texture " + std::to_string(index) + " is not defined; it is ignored");
+    }
+    glBindTexture(GL_TEXTURE_2D, texture_names + GLuint(index));
+    upload(found->second);
+    glEnable(GL_TEXTURE_2D);
+}
+
+void tevdef(long index, long n, Values props) {
+    program().environments[index].assign(props.begin(), props.begin() + std::min(n, long(props.size())));
+}
+
+void tevbind(long, long index) {
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+    const auto& props = program().environments[index];
+    for (std::size_t i = 0; i < props.size() && props[i] != 0; ++i) {
+        const int word = int(props[i]);
+        if (word == TV_DECAL) glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);
+        if (word == TV_BLEND) glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_BLEND);
+        if (word == TV_COLOR && i + 4 < props.size()) {
+            glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, &props[i + 1]);
+            i += 4;
+        }
+    }
+}
+
+void texgen(long coordinate, long mode, Values params) {
+    const GLenum axis = axis_of(coordinate), capability = axis == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
+    if (mode == TG_OFF || mode == TG_ON) return (mode == TG_ON ? glEnable : glDisable)(capability);
+    load_matrices();
+    if (mode == TG_SPHEREMAP) {
+        glTexGeni(axis, GL_TEXTURE_GEN_MODE, GL_SPHERE_MAP);
+    } else if (mode == TG_LINEAR || mode == TG_CONTOUR) {
+        const bool object = mode == TG_LINEAR;
+        glTexGeni(axis, GL_TEXTURE_GEN_MODE, object ? GL_OBJECT_LINEAR : GL_EYE_LINEAR);
+        glTexGenfv(axis, object ? GL_OBJECT_PLANE : GL_EYE_PLANE, params.data());
+    } else {
+        warn("texgen: mode " + std::to_string(mode) + " is not known; it is ignored");
+    }
+}
+
+void texture_coordinate(float s, float t) { state().texture_coordinate = {s, t}; }
+
+}  // namespace gw::irisgl::calls

@@ -1,0 +1,72 @@
+// The arguments of calls, as an open object keeps them: arrays are read when the program calls.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "irisgl/state/tokens.h"
+
+namespace gw::irisgl {
+
+/// The numbers of an array argument.
+using Values = std::span<const float>;
+
+/// An array of a fixed size. Null: all 0.
+template <std::size_t N>
+struct Kept {
+    std::array<float, N> value{};
+    template <class T>
+    explicit Kept(const T* from) {
+        for (std::size_t i = 0; from != nullptr && i < N; ++i) value[i] = float(from[i]);
+    }
+    operator Values() const { return value; }
+    float operator[](std::size_t i) const { return value[i]; }
+};
+
+/// Largest array that a call reads: more numbers are a mistake of the program.
+inline constexpr long most_values = 1 << 22;
+
+template <class T>
+std::vector<float> keep(const T* from, long count) {
+    if (from == nullptr || count <= 0 || count > most_values) return {};
+    return {from, from + count};
+}
+
+/// Pixels of 32 bits in the caller's memory, in words of its type.
+struct Words {
+    explicit Words(unsigned long* at) : wide(at) {}
+    explicit Words(unsigned* at) : narrow(at) {}
+    explicit Words(int* at) : narrow(reinterpret_cast<unsigned*>(at)) {}
+    unsigned long* wide = nullptr;
+    unsigned* narrow = nullptr;
+    bool is_given() const { return wide != nullptr || narrow != nullptr; }
+    std::uint32_t get(std::size_t i) const { return wide ? std::uint32_t(wide[i]) : narrow[i]; }
+    void set(std::size_t i, std::uint32_t value) const {
+        if (wide)
+            wide[i] = value;
+        else
+            narrow[i] = value;
+    }
+};
+
+/// The numbers of a definition of lmdef: `n`, or up to LMNULL if it is 0.
+template <class T>
+long light_size(long n, const T* props) {
+    if (n > 0 || props == nullptr) return n;
+    long at = 0;
+    while (at < 256 && props[at] != T(0)) {
+        const int token = int(props[at]);
+        const bool is_one = token == SHININESS || token == ALPHA || token == LOCALVIEWER ||
+                            token == TWOSIDE || token == ATTENUATION2;
+        const bool is_two = token == ATTENUATION || token == SPOTLIGHT;
+        at += is_one ? 2 : is_two ? 3 : token == POSITION ? 5 : 4;
+    }
+    return at;
+}
+
+}  // namespace gw::irisgl

@@ -1,0 +1,100 @@
+// The matrices that OpenGL gets, and coordinates on our side.
+#include "irisgl/draw/primitives.h"
+#include "irisgl/state/program.h"
+
+#include <glm/matrix.hpp>
+
+#include <GL/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gw::irisgl {
+
+namespace {
+
+dvec4 times(const dmat4& m, const dvec4& v) {
+    dvec4 out;
+    for (int i = 0; i < 4; ++i)
+        out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, v);
+    return out;
+}
+
+void load(GLenum mode, const dmat4& m) {
+    glMatrixMode(mode);
+    glLoadMatrixd(&m[0][0]);
+}
+
+}  // namespace
+
+void load_matrices() {
+    const State& s = state();
+    load(GL_PROJECTION, s.matrix_mode == MSINGLE ? dmat4(1) : s.projection);
+    if (s.textured) load(GL_TEXTURE, s.texture);
+    load(GL_MODELVIEW, s.matrices.back());
+}
+
+dvec4 clip_from_object(const dvec4& p) {
+    const State& s = state();
+    const dvec4 eye = times(s.matrices.back(), p);
+    return s.matrix_mode == MSINGLE ? eye : times(s.projection, eye);
+}
+
+std::optional<dvec3> window_from_object(const dvec4& p) {
+    const dvec4 clip = clip_from_object(p);
+    if (!(clip.w > 0)) return std::nullopt;
+    const Bounds& v = state().viewport;
+    const double near = depth_of(state().near), far = depth_of(state().far);
+    return dvec3{v.left + (clip.x / clip.w + 1) / 2 * v.width(),
+                 v.bottom + (clip.y / clip.w + 1) / 2 * v.height(),
+                 near + (clip.z / clip.w + 1) / 2 * (far - near)};
+}
+
+namespace {
+
+/// The object coordinates of clip coordinates.
+dvec4 object_from_clip(const dvec4& clip) {
+    const State& s = state();
+    const dmat4& m = s.matrices.back();
+    return times(glm::inverse(s.matrix_mode == MSINGLE ? m : s.projection * m), clip);
+}
+
+}  // namespace
+
+void own_edge_pixels(std::vector<dvec4>& corners) {
+    const Bounds& view = state().viewport;
+    std::array<dvec4, 4> clip;
+    std::array<dvec2, 4> at;
+    for (std::size_t i = 0; i < 4; ++i) {
+        clip[i] = clip_from_object(corners[i]);
+        if (!(clip[i].w > 0)) return;
+        at[i] = {(clip[i].x / clip[i].w + 1) / 2 * view.width(),
+                 (clip[i].y / clip[i].w + 1) / 2 * view.height()};
+    }
+    const auto same = [](double a, double b) { return std::abs(a - b) < 1e-3; };
+    const bool upright = same(at[0].y, at[1].y) && same(at[1].x, at[2].x) && same(at[2].y, at[3].y);
+    const bool turned = same(at[0].x, at[1].x) && same(at[1].y, at[2].y) && same(at[2].x, at[3].x);
+    if (!upright && !turned) return;
+    dvec2 low = at[0], high = at[0];
+    for (const dvec2& p : at) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        const bool right = same(low.x, high.x) ? i == 1 || i == 2 : same(at[i].x, high.x);
+        const bool upper = same(low.y, high.y) ? i >= 2 : same(at[i].y, high.y);
+        const double x = right ? std::floor(high.x) + 1 : std::floor(low.x);
+        const double y = upper ? std::floor(high.y) + 1 : std::floor(low.y);
+        clip[i].x = (x / view.width() * 2 - 1) * clip[i].w;
+        clip[i].y = (y / view.height() * 2 - 1) * clip[i].w;
+    }
+    for (std::size_t i = 0; i < 4; ++i) corners[i] = object_from_clip(clip[i]);
+}
+
+double depth_of(long z) {
+    const double at = double(std::int32_t(std::uint32_t(z)) - z_min) / double(z_max - z_min);
+    return at < 0 ? 0 : at > 1 ? 1 : at;
+}
+
+}  // namespace gw::irisgl

@@ -1,0 +1,253 @@
+#include "irisgl/draw/primitives.h"
+
+#include "irisgl/draw/index_texture.h"
+#include "irisgl/draw/tessellate.h"
+#include "irisgl/state/program.h"
+
+#include <GL/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gw::irisgl {
+
+Assembly& assembly() {
+    static Assembly& one = *new Assembly;
+    return one;
+}
+
+PlaneState& planes_now() {
+    State& s = state();
+    return s.now.planes[std::size_t(s.draw_mode)];
+}
+
+bool draws_indices() { return state().draw_mode != NORMALDRAW || !state().rgb_mode; }
+
+Vertex vertex_here(double x, double y, double z, double w) {
+    const State& s = state();
+    const PlaneState& p = planes_now();
+    return {.p = {x, y, z, w},
+            .index = p.index,
+            .rgb = p.rgb,
+            .normal = s.normal,
+            .texture = s.texture_coordinate,
+            .is_lit = s.is_lit && s.bound.is_lit()};
+}
+
+void gl_index_color(unsigned index) {
+    const int bits = current_window().profile().color_bits;
+    const IndexColor code{std::min(bits, 8)};
+    const float most = float((1 << bits) - 1);
+    glColor4f(float(code.low(index)) / most, float(code.high(index)) / most, 0, 1);
+}
+
+namespace {
+
+constexpr GLenum gl_shapes[] = {GL_POINTS,         GL_LINE_STRIP, GL_LINE_LOOP, GL_POLYGON,
+                                GL_TRIANGLE_STRIP, GL_TRIANGLES,  GL_QUAD_STRIP};
+
+unsigned rounded(double index) {
+    return unsigned(std::clamp(std::floor(index + 0.5), 0.0, double(index_mask)));
+}
+
+/// Depth cueing: colours by the vertices' depths.
+void cue(std::vector<Vertex>& vertices) {
+    const DepthCue& cue = state().cue;
+    const double near = depth_of(cue.near), far = depth_of(cue.far);
+    for (Vertex& v : vertices) {
+        const auto at = window_from_object(v.p);
+        const double z = at ? at->z : 0;
+        double t = far != near ? (z - near) / (far - near) : 0;
+        t = std::clamp(t, 0.0, 1.0);
+        // The near end has the high index.
+        v.index = double(cue.high) + t * (double(cue.low) - double(cue.high));
+        for (int i = 0; i < 3; ++i) {
+            const float low = cue.rgb[std::size_t(i)], high = cue.rgb[std::size_t(i) + 3];
+            v.rgb[i] = (high + float(t) * (low - high)) / 255;
+        }
+        v.is_lit = false;
+    }
+}
+
+void flatten(Shape shape, std::vector<Vertex>& vertices) {
+    if (shape == Shape::Points) return;
+    if (shape == Shape::Polygon)
+        for (Vertex& v : vertices) {
+            v.index = vertices.back().index;
+            v.rgb = vertices.back().rgb;
+        }
+}
+
+bool is_uniform(std::span<const Vertex> vertices) {
+    return std::all_of(vertices.begin(), vertices.end(),
+                       [&](const Vertex& v) { return rounded(v.index) == rounded(vertices[0].index); });
+}
+
+struct Emission {
+    bool indices = false, texture = false, lit = false, mixed = false;
+    MaskPass pass = MaskPass::Whole;
+};
+
+void emit_color(const Vertex& v, const Emission& e) {
+    if (e.indices) {
+        const unsigned mask = planes_now().writemask;
+        if (e.pass == MaskPass::And)
+            gl_index_color(~mask & index_mask);
+        else if (!e.texture)
+            gl_index_color(e.pass == MaskPass::Or ? rounded(v.index) & mask : rounded(v.index));
+        else
+            glTexCoord1d((std::clamp(v.index, 0.0, double(index_mask)) + 0.5) / 4096);
+        return;
+    }
+    if (e.lit) {
+        if (e.mixed) emit_material(v.is_lit, v.rgb);
+        glNormal3f(v.normal.x, v.normal.y, v.normal.z);
+    }
+    glColor4f(v.rgb.x, v.rgb.y, v.rgb.z, v.rgb.w);
+    if (state().textured) glTexCoord2f(v.texture.x, v.texture.y);
+}
+
+void emit(GLenum mode, std::span<const Vertex> vertices, const Emission& e) {
+    glBegin(mode);
+    for (const Vertex& v : vertices) {
+        emit_color(v, e);
+        glVertex4d(v.p.x, v.p.y, v.p.z, v.p.w);
+    }
+    glEnd();
+}
+
+/// A line of one pixel has both its ends.
+bool adds_last_point(Shape shape) {
+    const State& s = state();
+    return shape == Shape::Line && s.now.line_width == 1 && s.now.linestyle == 0 && !s.smooth.lines;
+}
+
+void emit_shape(Shape shape, std::span<const Vertex> vertices, const Emission& e) {
+    emit(gl_shapes[std::size_t(shape)], vertices, e);
+    if (adds_last_point(shape)) emit(GL_POINTS, vertices.last(1), e);
+}
+
+/// The parts of a write mask that colour masks can do.
+bool is_whole_channels(unsigned mask) {
+    const IndexColor code{std::min(current_window().profile().color_bits, 8)};
+    const unsigned low = code.low(index_mask), high = index_mask & ~low;
+    return ((mask & low) == 0 || (mask & low) == low) && ((mask & high) == 0 || (mask & high) == high);
+}
+
+void set_index_mask(unsigned mask) {
+    const IndexColor code{std::min(current_window().profile().color_bits, 8)};
+    glColorMask((mask & code.low(index_mask)) != 0, (mask & ~code.low(index_mask) & index_mask) != 0,
+                GL_FALSE, GL_FALSE);
+}
+
+/// Draws `draw` with the write mask of indices.
+template <class Draw>
+void with_index_mask(Emission e, const Draw& draw) {
+    const unsigned mask = planes_now().writemask & index_mask;
+    if (mask == 0 && !state().depth_test) return;
+    if (is_whole_channels(mask)) {
+        set_index_mask(mask);
+        draw(e);
+        return;
+    }
+    const bool writes_depth = state().depth_write;
+    set_index_mask(index_mask);
+    glEnable(GL_COLOR_LOGIC_OP);
+    glLogicOp(GL_AND);
+    glDepthMask(GL_FALSE);
+    e.pass = MaskPass::And;
+    const bool texture = std::exchange(e.texture, false);
+    draw(e);
+    glLogicOp(GL_OR);
+    glDepthMask(writes_depth);
+    e.pass = MaskPass::Or;
+    e.texture = texture;
+    draw(e);
+    glLogicOp(GL_COPY);
+    glDisable(GL_COLOR_LOGIC_OP);
+}
+
+std::vector<Vertex> unswapped(std::span<const Vertex> in, const std::vector<std::size_t>& swaps) {
+    std::vector<Vertex> out;
+    std::size_t swap = 0;
+    const Vertex* older = nullptr;
+    const Vertex* newer = nullptr;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+        while (swap < swaps.size() && swaps[swap] == i) {
+            std::swap(older, newer);
+            ++swap;
+        }
+        if (older != nullptr && newer != nullptr)
+            out.insert(out.end(), {*older, *newer, in[i]});
+        older = newer;
+        newer = &in[i];
+    }
+    return out;
+}
+
+void draw_indices(Shape shape, std::span<const Vertex> vertices) {
+    Emission e{.indices = true};
+    e.texture = !is_uniform(vertices) && bind_index_texture(planes_now().writemask);
+    glDisable(GL_LIGHTING);
+    with_index_mask(e, [&](const Emission& pass) {
+        use_index_texture(pass.texture);
+        emit_shape(shape, vertices, pass);
+    });
+    use_index_texture(false);
+}
+
+void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
+    const auto lit = std::count_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return v.is_lit; });
+    const bool colored = state().bound.color_mode != LMC_COLOR && state().bound.is_lit();
+    const Emission e{.lit = lit > 0 || colored,
+                     .mixed = lit > 0 && std::size_t(lit) < vertices.size() && !colored};
+    (e.lit ? glEnable : glDisable)(GL_LIGHTING);
+    emit_shape(shape, vertices, e);
+    if (e.mixed) emit_material(true, {});
+}
+
+}  // namespace
+
+void draw_shape(Shape shape, std::span<const Vertex> given) {
+    if (given.empty()) return;
+    std::vector<Vertex> vertices(given.begin(), given.end());
+    const State& s = state();
+    if (shape == Shape::Mesh && !assembly().swaps.empty()) {
+        vertices = unswapped(vertices, assembly().swaps);
+        shape = Shape::Triangles;
+        if (vertices.empty()) return;
+    }
+    if (s.cue.on) cue(vertices);
+    if (draws_indices() && s.bound.is_lit()) light_indices(vertices);
+    if (s.now.shade_model == FLAT) flatten(shape, vertices);
+    if (shape == Shape::Polygon && s.concave && vertices.size() > 3) {
+        vertices = tessellated(vertices);
+        shape = Shape::Triangles;
+    }
+    load_matrices();
+    draws_indices() ? draw_indices(shape, vertices) : draw_rgb(shape, vertices);
+}
+
+void fill_pixels(const Bounds& p) {
+    const Window& w = current_window();
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    glViewport(0, 0, w.width(), w.height());
+    const auto x = [&](int pixel) { return 2.0 * pixel / w.width() - 1; };
+    const auto y = [&](int pixel) { return 2.0 * pixel / w.height() - 1; };
+    Vertex v = vertex_here(0, 0, 0);
+    v.is_lit = false;
+    std::vector<Vertex> corners(4, v);
+    corners[0].p = {x(p.left), y(p.bottom), 0, 1};
+    corners[1].p = {x(p.right + 1), y(p.bottom), 0, 1};
+    corners[2].p = {x(p.right + 1), y(p.top + 1), 0, 1};
+    corners[3].p = {x(p.left), y(p.top + 1), 0, 1};
+    draws_indices() ? draw_indices(Shape::Polygon, corners) : draw_rgb(Shape::Polygon, corners);
+    const Bounds& view = state().viewport;
+    glViewport(view.left, view.bottom, view.width(), view.height());
+}
+
+}  // namespace gw::irisgl

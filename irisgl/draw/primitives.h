@@ -1,0 +1,64 @@
+// Points, lines and polygons of IRIS GL as primitives of OpenGL: colour map mode, write masks, depth
+// cueing, swapped meshes, concave polygons.
+#pragma once
+
+#include "gw/base/types.h"
+#include "irisgl/window/window.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace gw::irisgl {
+
+enum class Shape : std::uint8_t { Points, Line, ClosedLine, Polygon, Mesh, Triangles, Strip };
+
+/// A vertex in object coordinates with the values that were current.
+struct Vertex {
+    dvec4 p{0, 0, 0, 1};
+    double index = 0;
+    vec4 rgb{0, 0, 0, 1};
+    vec3 normal{0, 0, 1};
+    vec2 texture{0, 0};
+    bool is_lit = false;
+};
+
+/// The vertices of a bgn .. end.
+struct Assembly {
+    bool is_open = false;
+    Shape shape = Shape::Points;
+    std::vector<Vertex> vertices;
+    std::vector<std::size_t> swaps;  ///< numbers of vertices before a swaptmesh
+    std::vector<Vertex> polygon;     ///< of pmv and pdr
+};
+Assembly& assembly();
+
+/// The current values at a place.
+Vertex vertex_here(double x, double y, double z, double w = 1);
+void draw_shape(Shape shape, std::span<const Vertex> vertices);
+/// A rectangle of whole pixels of the window, both ends included, in the current colour; `depth` of
+/// lsetdepth's range.
+void fill_pixels(const Bounds& pixels);
+/// If the rectangle's edges are rows and columns of pixels on the screen, moves its corners half a pixel
+/// out: IRIS GL's rectangles own the pixels of all their edges.
+void own_edge_pixels(std::vector<dvec4>& corners);
+/// Brings OpenGL's matrices up to date.
+void load_matrices();
+/// Clip coordinates.
+dvec4 clip_from_object(const dvec4& p);
+/// x, y in pixels (0.5: the middle of pixel 0), z in 0 .. 1. None behind the eye.
+std::optional<dvec3> window_from_object(const dvec4& p);
+/// A depth of IRIS GL as 0 .. 1.
+double depth_of(long z);
+/// OpenGL's current colour for an index, as the planes hold it.
+void gl_index_color(unsigned index);
+/// Whether colours are indices in the draw mode.
+bool draws_indices();
+PlaneState& planes_now();
+
+/// Carries out `draw` as often as the write mask of indices needs: `draw(And)` with the complement of
+/// the mask, then `draw(Or)` with the index inside it, or once.
+enum class MaskPass : std::uint8_t { Whole, And, Or };
+
+}  // namespace gw::irisgl

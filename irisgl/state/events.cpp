@@ -1,0 +1,174 @@
+#include "irisgl/state/events.h"
+
+#include "irisgl/state/program.h"
+#include "irisgl/state/script.h"
+#include "irisgl/window/window.h"
+
+#include "gl/drawable/settings.h"
+
+#include "irisgl/state/tokens.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+
+namespace gw::irisgl {
+
+namespace {
+
+constexpr unsigned polls_of_frame = 1000;
+constexpr auto frame_time = std::chrono::milliseconds(16);
+
+Events& events() { return program().events; }
+
+/// Without a screen nothing but the script makes events.
+bool has_screen() { return program().current != nullptr && program().current->host() != nullptr; }
+
+[[noreturn]] void end_program(const char* why) {
+    if (program().current != nullptr) program().current->show_front();
+    std::fprintf(stderr, "gw: %s; the program ends\n", why);
+    std::exit(0);
+}
+
+void play(const ScriptedEvent& e) {
+    if (e.has_place && program().current != nullptr) {
+        happen(MOUSEX, program().current->x + e.x);
+        happen(MOUSEY, program().current->y + e.y);
+    }
+    happen(e.event.device, e.event.value);
+}
+
+void play_script(bool waits) {
+    Events& all = events();
+    if (!all.is_script_read) {
+        all.is_script_read = true;
+        all.script = read_script();
+    }
+    while (!all.script.empty() && all.script.front().frame <= all.frame) {
+        const ScriptedEvent e = all.script.front();
+        all.script.pop_front();
+        play(e);
+    }
+    if (waits && all.queue.empty() && !all.script.empty()) {  // time passes
+        all.frame = all.script.front().frame;
+        play_script(waits);
+    }
+}
+
+void listen(int milliseconds) {
+    Window& w = *program().current;
+    HostListener listener;
+    listener.button = [](unsigned device, bool down) { happen(device, down ? 1 : 0); };
+    listener.character = [](unsigned char c) { happen(KEYBD, c); };
+    listener.pointer = [&](int x, int y) {
+        happen(MOUSEX, w.x + x);
+        happen(MOUSEY, w.y + y);
+    };
+    listener.size = [&](int width, int height) {
+        if (width == w.width() && height == w.height()) return;
+        w.take_size(width, height);
+        happen(REDRAW, w.id());
+    };
+    listener.place = [&](int x, int y) {
+        w.x = x;
+        w.y = y;
+    };
+    listener.exposed = [&] {
+        w.show_again();
+        if (!w.state.double_buffered) happen(REDRAW, w.id());
+    };
+    listener.focused = [&] { happen(INPUTCHANGE, w.id()); };
+    listener.closed = [&] {
+        if (events().queued.contains(WINQUIT)) return happen(WINQUIT, w.id());
+        std::exit(0);
+    };
+    w.host()->poll(listener, milliseconds);
+}
+
+/// Blinking colours exchange with each 60th of a second that the rate says.
+void blink_colors() {
+    ColorMap& map = program().colors;
+    if (map.blinks.empty()) return;
+    using Clock = std::chrono::steady_clock;
+    static const auto begin = Clock::now();
+    const long retraces = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count() * 60 / 1000;
+    for (auto& [index, blink] : map.blinks) {
+        const bool other = has_screen() && retraces / std::max<long>(blink.rate, 1) % 2 == 1;
+        if (other != blink.shows_other) ++map.changes;
+        blink.shows_other = other;
+    }
+}
+
+}  // namespace
+
+void enter(unsigned device, long value) {
+    Events& all = events();
+    if (all.queue.size() >= queue_length) return;
+    all.queue.push_back({device, value});
+}
+
+void happen(unsigned device, long value) {
+    Events& all = events();
+    if (device >= 256 && device < 512) {
+        Valuator& v = all.valuators[device];
+        const long before = v.value;
+        v.value = std::clamp(value, v.low, std::max(v.low, v.high));
+        if (v.value == before) return;
+    } else if (device < 256) {
+        value != 0 ? void(all.down.insert(device)) : void(all.down.erase(device));
+    }
+    if (!all.queued.contains(device)) return;
+    enter(device, value);
+    const auto tie = all.ties.find(device);
+    if (tie == all.ties.end()) return;
+    for (const unsigned valuator : {tie->second.first, tie->second.second})
+        if (valuator != 0) enter(valuator, all.valuators[valuator].value);
+}
+
+void next_frame() {
+    Events& all = events();
+    ++all.frame;
+    all.polls = 0;
+    blink_colors();
+    play_script(false);
+    if (has_screen()) listen(0);
+}
+
+void poll(bool waits) {
+    Events& all = events();
+    blink_colors();
+    play_script(waits);
+    if (program().current == nullptr) {
+        if (waits && all.queue.empty()) end_program("qread: no window is open and no event can come");
+        return;
+    }
+    Window& w = *program().current;
+    using Clock = std::chrono::steady_clock;
+    static Clock::time_point shown;
+    if (has_screen()) {
+        if (waits || Clock::now() - shown > frame_time) {
+            if (!w.state.double_buffered) w.show_front();
+            w.present();
+            shown = Clock::now();
+        }
+        listen(0);
+        while (waits && all.queue.empty()) {
+            blink_colors();
+            w.present();
+            listen(20);
+            play_script(true);
+        }
+        return;
+    }
+    if (!w.state.double_buffered && waits) w.show_front();
+    if (waits && all.queue.empty()) end_program("qread: no more events come");
+    if (++all.polls < polls_of_frame) return;
+    all.polls = 0;
+    ++all.frame;
+    if (!w.state.double_buffered) w.show_front();
+    static const gl::FrameRange frames = gl::read_frame_range();
+    if (all.frame > frames.last) end_program("the last frame of GW_FRAMES is over");
+}
+
+}  // namespace gw::irisgl

@@ -1,0 +1,59 @@
+// Devices, the event queue, and the text of events that a program without a screen gets.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gw::irisgl {
+
+inline constexpr std::size_t queue_length = 101;
+
+struct Event {
+    unsigned device = 0;
+    long value = 0;
+};
+
+struct Valuator {
+    long value = 0, low = 0, high = 1279;
+};
+
+/// A line of GW_INPUT: what happens before frame `frame` is drawn.
+struct ScriptedEvent {
+    std::uint64_t frame = 0;
+    Event event;
+    bool has_place = false;
+    int x = 0, y = 0;  ///< pixels of the window
+};
+
+struct Events {
+    std::deque<Event> queue;
+    std::set<unsigned> queued;
+    std::map<unsigned, std::pair<unsigned, unsigned>> ties;
+    std::set<unsigned> down;
+    std::map<unsigned, Valuator> valuators;
+    std::map<unsigned, long> noise;
+    std::deque<ScriptedEvent> script;
+    bool is_script_read = false;
+    std::uint64_t frame = 0;  ///< swaps, or a thousand polls each
+    unsigned polls = 0;
+};
+
+/// Adds an event that a device makes: if it is queued, with the valuators that are tied to it.
+void happen(unsigned device, long value);
+/// Puts into the queue whatever is queued.
+void enter(unsigned device, long value);
+/// Takes what the screen and the script have, shows what was drawn, and ends a program that waits in
+/// vain (`waits`), or has shown its last frame.
+void poll(bool waits);
+/// The script's next events are due: a swap.
+void next_frame();
+/// The device of this name, as LEFTMOUSE or AKEY; 0: there is none.
+unsigned device_named(const std::string& name);
+
+}  // namespace gw::irisgl

@@ -1,0 +1,40 @@
+// A window on a screen: X11, or none. Does not know the machine.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+namespace gw::irisgl {
+
+/// What a screen tells. Places are pixels of the window, from its lower left.
+struct HostListener {
+    std::function<void(unsigned device, bool down)> button;
+    std::function<void(unsigned char character)> character;
+    std::function<void(int x, int y)> pointer;
+    std::function<void(int width, int height)> size;
+    std::function<void(int x, int y)> place;
+    std::function<void()> exposed, focused, closed;
+};
+
+class HostWindow {
+public:
+    virtual ~HostWindow() = default;
+    /// R lowest, bottom row first.
+    virtual void show(std::span<const std::uint32_t> pixels, int width, int height) = 0;
+    virtual void set_title(const std::string& title) = 0;
+    virtual void place(int x, int y, int width, int height) = 0;
+    virtual void raise(bool up) = 0;
+    virtual void ring() = 0;
+    virtual void show_cursor(bool on) = 0;
+    /// Tells what has happened; waits for up to `milliseconds` if nothing has.
+    virtual void poll(const HostListener& listener, int milliseconds) = 0;
+};
+
+/// Null: no screen. `y` is of the lower row, from the bottom of the screen.
+std::unique_ptr<HostWindow> make_host_window(const std::string& title, int x, int y, int width,
+                                             int height, bool has_border);
+
+}  // namespace gw::irisgl
