@@ -52,6 +52,12 @@ if(TARGET gw)
                 ${GW_INSTALLED_OPENGL} COMPONENT command)
         endforeach()
     endif()
+    if(TARGET gw_irisgl_library)
+        install(TARGETS gw_irisgl_library LIBRARY DESTINATION ${GW_INSTALLED_IRISGL}
+            COMPONENT command)
+        install(DIRECTORY ${PROJECT_BINARY_DIR}/include/irisgl DESTINATION include
+            COMPONENT command)
+    endif()
     file(RELATIVE_PATH to_modules ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${modules})
     set_target_properties(gw PROPERTIES INSTALL_RPATH "\$ORIGIN/${to_modules}")
     install(TARGETS gw RUNTIME COMPONENT command)

@@ -68,6 +68,7 @@ Command add_study(CLI::App& app);
 Command add_golden(CLI::App& app);
 Command add_conformance(CLI::App& app);
 Command add_gl(CLI::App& app);
+Command add_irisgl_config(CLI::App& app);
 Command add_radiosity(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_describe(CLI::App& app);

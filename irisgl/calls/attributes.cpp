@@ -14,7 +14,8 @@ void concave(Boolean on) { state().concave = on != 0; }
 
 void polymode(long mode) {
     if (mode < PYM_POINT || mode > PYM_LINE_FAST)
-        return warn("polymode: mode " + std::to_string(mode) + "; expected PYM_POINT, PYM_LINE, "
+        return warn("polymode: mode " + std::to_string(mode) +
+                    "; expected PYM_POINT, PYM_LINE, "
                     "PYM_FILL or PYM_HOLLOW; it is ignored");
     if (mode == PYM_HOLLOW) warn("polymode: PYM_HOLLOW draws the edges of polygons, as PYM_LINE");
     state().polygon_mode = mode;
@@ -51,7 +52,8 @@ void polysmooth(long mode) {
 }
 void subpixel(Boolean on) { state().subpixel = on != 0; }
 void scrsubdivide(long mode, Values) {
-    if (mode != 0) warn("scrsubdivide: the machine shades in perspective or not at all; it is ignored");
+    if (mode != 0)
+        warn("scrsubdivide: the machine shades in perspective or not at all; it is ignored");
 }
 
 void deflinestyle(short index, Linestyle style) {
@@ -86,7 +88,8 @@ void defpattern(short index, short size, Values mask) {
     const bool is_size = size == 16 || size == 32 || size == 64;
     if (index == 0 || !is_size || mask.empty())
         return warn("defpattern: pattern " + std::to_string(index) + " of size " +
-                    std::to_string(size) + "; expected sizes 16, 32 or 64, not pattern 0; it is ignored");
+                    std::to_string(size) +
+                    "; expected sizes 16, 32 or 64, not pattern 0; it is ignored");
     Pattern& pattern = program().patterns[index];
     pattern.size = size;
     pattern.rows.assign(mask.begin(), mask.end());
@@ -94,7 +97,8 @@ void defpattern(short index, short size, Values mask) {
 
 void setpattern(short index) {
     if (index != 0 && !program().patterns.contains(index))
-        return warn("setpattern: pattern " + std::to_string(index) + " is not defined; it is ignored");
+        return warn("setpattern: pattern " + std::to_string(index) +
+                    " is not defined; it is ignored");
     state().now.pattern = index;
     apply_pattern();
 }

@@ -33,7 +33,8 @@ MapEntry* map_place(unsigned index) {
     ColorMap& map = program().colors;
     const Window* const w = program().current;
     const long mode = w != nullptr ? w->state.draw_mode : NORMALDRAW;
-    if (mode == NORMALDRAW || mode == CURSORDRAW) return index < map.entries.size() ? &map.entries[index] : nullptr;
+    if (mode == NORMALDRAW || mode == CURSORDRAW)
+        return index < map.entries.size() ? &map.entries[index] : nullptr;
     const std::size_t which = mode == OVERDRAW ? 0 : mode == UNDERDRAW ? 1 : 2;
     return index < 256 ? &map.aside[which][index] : nullptr;
 }
@@ -141,7 +142,8 @@ void mapcolor(Colorindex i, short r, short g, short b) {
     ++program().colors.changes;
 }
 void mapcolors(short first, short last, Values r, Values g, Values b) {
-    for (std::size_t i = 0; first + long(i) <= last && i < r.size() && i < g.size() && i < b.size(); ++i)
+    for (std::size_t i = 0; first + long(i) <= last && i < r.size() && i < g.size() && i < b.size();
+         ++i)
         mapcolor(Colorindex(first + int(i)), short(r[i]), short(g[i]), short(b[i]));
 }
 void getmcolor(Colorindex i, short* r, short* g, short* b) {
@@ -212,7 +214,8 @@ void zfunction(long function) {
 }
 void zsource(long source) {
     if (source == ZSRC_COLOR)
-        warn("zsource: ZSRC_COLOR is not offered: the machine compares depths; depths are compared");
+        warn(
+            "zsource: ZSRC_COLOR is not offered: the machine compares depths; depths are compared");
 }
 void zwritemask(unsigned long mask) {
     state().depth_write = mask != 0;

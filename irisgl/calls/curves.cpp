@@ -17,7 +17,8 @@ namespace {
 std::optional<dmat4> basis(const char* function, long id) {
     const auto found = program().bases.find(short(id));
     if (found != program().bases.end()) return found->second;
-    warn(std::string(function) + ": basis " + std::to_string(id) + " is not defined; it is ignored");
+    warn(std::string(function) + ": basis " + std::to_string(id) +
+         " is not defined; it is ignored");
     return std::nullopt;
 }
 
@@ -46,7 +47,8 @@ void line(const std::vector<dvec4>& points) {
 void segment(const dmat4& m, const std::array<dvec4, 4>& control) {
     std::vector<dvec4> points;
     const long n = state().curve_segments;
-    for (long i = 0; i <= n; ++i) points.push_back(mixed(weights(m, double(i) / double(n)), control));
+    for (long i = 0; i <= n; ++i)
+        points.push_back(mixed(weights(m, double(i) / double(n)), control));
     line(points);
 }
 
@@ -58,7 +60,9 @@ void patch_curve(const Grid& grid, const dvec4& fixed, const dmat4& along, long 
     for (long i = 0; i <= n; ++i) {
         const dvec4 moving = weights(along, double(i) / double(n));
         std::array<dvec4, 4> rows;
-        for (std::size_t r = 0; r < 4; ++r) rows[r] = mixed(is_u ? moving : fixed, {grid[0][r], grid[1][r], grid[2][r], grid[3][r]});
+        for (std::size_t r = 0; r < 4; ++r)
+            rows[r] =
+                mixed(is_u ? moving : fixed, {grid[0][r], grid[1][r], grid[2][r], grid[3][r]});
         points.push_back(mixed(is_u ? fixed : moving, rows));
     }
     line(points);
@@ -78,7 +82,8 @@ void draw_patch(const Grid& grid) {
 Grid grid_of(Values x, Values y, Values z, const Values* w) {
     Grid grid;
     for (std::size_t i = 0; i < 16; ++i)
-        grid[i / 4][i % 4] = {double(x[i]), double(y[i]), double(z[i]), w != nullptr ? double((*w)[i]) : 1};
+        grid[i / 4][i % 4] = {double(x[i]), double(y[i]), double(z[i]),
+                              w != nullptr ? double((*w)[i]) : 1};
     return grid;
 }
 
@@ -111,7 +116,9 @@ void curve(long n, Values points, int dimensions) {
     const auto m = basis("crv", state().basis);
     if (!m) return;
     std::vector<dvec4> control;
-    for (std::size_t i = 0; i + std::size_t(dimensions) <= points.size() && long(control.size()) < n; i += std::size_t(dimensions))
+    for (std::size_t i = 0;
+         i + std::size_t(dimensions) <= points.size() && long(control.size()) < n;
+         i += std::size_t(dimensions))
         control.push_back({double(points[i]), double(points[i + 1]), double(points[i + 2]),
                            dimensions > 3 ? double(points[i + 3]) : 1});
     for (std::size_t i = 0; i + 4 <= control.size(); ++i)

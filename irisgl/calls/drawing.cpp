@@ -161,8 +161,7 @@ void arc(double x, double y, double radius, double start, double end, bool fille
     if (filled && !whole) points.push_back({x, y, 0, 1});
     for (int i = 0; i < count + (whole ? 0 : 1); ++i) {
         const double a = (start + sweep * i / count) / 10;
-        points.push_back(
-            {x + radius * cos_degrees(a), y + radius * sin_degrees(a), 0, 1});
+        points.push_back({x + radius * cos_degrees(a), y + radius * sin_degrees(a), 0, 1});
     }
     draw_points(filled ? Shape::Polygon : whole ? Shape::ClosedLine : Shape::Line, points);
 }

@@ -17,7 +17,8 @@ Events& events() { return program().events; }
 
 bool is_device(const char* function, unsigned device) {
     if (device >= 1 && device < MAXDEVICE) return true;
-    warn(std::string(function) + ": device " + std::to_string(device) + " is not known; it is ignored");
+    warn(std::string(function) + ": device " + std::to_string(device) +
+         " is not known; it is ignored");
     return false;
 }
 
@@ -88,7 +89,8 @@ void attachcursor(Device, Device) {}
 void qgetfd() { warn("qgetfd: the queue has no file; it does nothing"); }
 void setbell(char) {}
 void ringbell() {
-    if (program().current != nullptr && current_window().host() != nullptr) current_window().host()->ring();
+    if (program().current != nullptr && current_window().host() != nullptr)
+        current_window().host()->ring();
 }
 void lampon(char) {}
 void lampoff(char) {}
@@ -116,11 +118,13 @@ void getcursor(short* n, unsigned short* c, unsigned short* mask, long* on) {
 }
 void curson() {
     program().is_cursor_on = true;
-    if (program().current != nullptr && current_window().host()) current_window().host()->show_cursor(true);
+    if (program().current != nullptr && current_window().host())
+        current_window().host()->show_cursor(true);
 }
 void cursoff() {
     program().is_cursor_on = false;
-    if (program().current != nullptr && current_window().host()) current_window().host()->show_cursor(false);
+    if (program().current != nullptr && current_window().host())
+        current_window().host()->show_cursor(false);
 }
 
 }  // namespace gw::irisgl::calls

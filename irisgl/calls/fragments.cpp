@@ -23,22 +23,30 @@ bool is_word(const char* function, long value, long most) {
     return false;
 }
 
-constexpr GLenum source_factors[] = {GL_ZERO,      GL_ONE,       GL_DST_COLOR,
-                                     GL_ONE_MINUS_DST_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                                     GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, GL_SRC_ALPHA_SATURATE};
-constexpr GLenum destination_factors[] = {GL_ZERO,      GL_ONE,       GL_SRC_COLOR,
-                                          GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA,
-                                          GL_ONE_MINUS_SRC_ALPHA, GL_DST_ALPHA,
-                                          GL_ONE_MINUS_DST_ALPHA};
-constexpr GLenum logic_ops[] = {GL_CLEAR, GL_AND,        GL_AND_REVERSE, GL_COPY,
-                                GL_AND_INVERTED, GL_NOOP, GL_XOR,         GL_OR,
-                                GL_NOR,   GL_EQUIV,      GL_INVERT,      GL_OR_REVERSE,
-                                GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND, GL_SET};
+constexpr GLenum source_factors[] = {GL_ZERO,
+                                     GL_ONE,
+                                     GL_DST_COLOR,
+                                     GL_ONE_MINUS_DST_COLOR,
+                                     GL_SRC_ALPHA,
+                                     GL_ONE_MINUS_SRC_ALPHA,
+                                     GL_DST_ALPHA,
+                                     GL_ONE_MINUS_DST_ALPHA,
+                                     GL_SRC_ALPHA_SATURATE};
+constexpr GLenum destination_factors[] = {GL_ZERO,      GL_ONE,
+                                          GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
+                                          GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
+                                          GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
+constexpr GLenum logic_ops[] = {GL_CLEAR,         GL_AND,         GL_AND_REVERSE, GL_COPY,
+                                GL_AND_INVERTED,  GL_NOOP,        GL_XOR,         GL_OR,
+                                GL_NOR,           GL_EQUIV,       GL_INVERT,      GL_OR_REVERSE,
+                                GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND,        GL_SET};
 constexpr GLenum stencil_ops[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
 
 }  // namespace
 
-void set_dither(long mode) { (mode != DT_OFF && state().rgb_mode ? glEnable : glDisable)(GL_DITHER); }
+void set_dither(long mode) {
+    (mode != DT_OFF && state().rgb_mode ? glEnable : glDisable)(GL_DITHER);
+}
 
 void blendfunction(long source, long destination) {
     if (!is_word("blendfunction", source, BF_MIN_SA_MDA) ||
@@ -71,8 +79,8 @@ void acbuf(long op, float value) {
 void acsize(long) {}
 void stensize(long planes) { is_word("stensize", planes, 8); }
 
-void stencil(long enable, unsigned long ref, long function, unsigned long mask, long fail, long pass,
-             long zpass) {
+void stencil(long enable, unsigned long ref, long function, unsigned long mask, long fail,
+             long pass, long zpass) {
     (enable != 0 ? glEnable : glDisable)(GL_STENCIL_TEST);
     if (enable == 0) return;
     if (!is_word("stencil", function, SF_ALWAYS) || !is_word("stencil", fail, ST_INVERT) ||
@@ -92,7 +100,9 @@ void fog(long mode, Values params) {
     if (mode == FG_OFF || mode == FG_ON) return (mode == FG_ON ? glEnable : glDisable)(GL_FOG);
     const bool linear = mode == FG_VTX_LIN || mode == FG_PIX_LIN;
     if (params.size() < (linear ? 5u : 4u)) return;
-    glFogi(GL_FOG_MODE, linear ? GL_LINEAR : mode == FG_VTX_EXP || mode == FG_PIX_EXP ? GL_EXP : GL_EXP2);
+    glFogi(GL_FOG_MODE, linear                                     ? GL_LINEAR
+                        : mode == FG_VTX_EXP || mode == FG_PIX_EXP ? GL_EXP
+                                                                   : GL_EXP2);
     if (linear) {
         glFogf(GL_FOG_START, params[0]);
         glFogf(GL_FOG_END, params[1]);
@@ -109,7 +119,8 @@ void clipplane(long index, long mode, Values params) {
     const GLenum name = GL_CLIP_PLANE0 + GLenum(index);
     if (mode != CP_DEFINE) return (mode == CP_ON ? glEnable : glDisable)(name);
     load_matrices();
-    const double equation[] = {double(params[0]), double(params[1]), double(params[2]), double(params[3])};
+    const double equation[] = {double(params[0]), double(params[1]), double(params[2]),
+                               double(params[3])};
     glClipPlane(name, equation);
 }
 

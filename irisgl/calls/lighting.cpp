@@ -75,7 +75,8 @@ void define(short kind, short index, int word, Values v) {
 void apply_bound(short kind, short index) {
     if (program().current == nullptr) return;
     const Bound& b = state().bound;
-    if (kind == DEFMATERIAL && (b.material == index || b.back_material == index)) apply_color_mode();
+    if (kind == DEFMATERIAL && (b.material == index || b.back_material == index))
+        apply_color_mode();
     if (kind == DEFLMODEL && b.model == index) apply_light_model();
     for (int i = 0; kind == DEFLIGHT && i < light_count; ++i)
         if (b.lights[std::size_t(i)] == index) apply_light(i);
@@ -112,8 +113,9 @@ bool is_defined(short target, short index) {
 void define_light(short kind, short index, Values props) {
     const bool is_kind = kind == DEFMATERIAL || kind == DEFLIGHT || kind == DEFLMODEL;
     if (!is_kind || index <= 0)
-        return warn("lmdef: definition " + std::to_string(index) + " of kind " + std::to_string(kind) +
-                    "; expected DEFMATERIAL, DEFLIGHT or DEFLMODEL and an index from 1; it is ignored");
+        return warn(
+            "lmdef: definition " + std::to_string(index) + " of kind " + std::to_string(kind) +
+            "; expected DEFMATERIAL, DEFLIGHT or DEFLMODEL and an index from 1; it is ignored");
     if (kind == DEFMATERIAL) program().materials[index];
     if (kind == DEFLIGHT) program().lights[index];
     if (kind == DEFLMODEL) program().models[index];
@@ -121,7 +123,8 @@ void define_light(short kind, short index, Values props) {
         const int word = int(props[i]), count = count_of(word);
         if (word == 0) break;
         if (count == 0 || i + std::size_t(count) >= props.size() + 0u) {
-            warn("lmdef: property " + std::to_string(word) + " is not known or cut short; it and what "
+            warn("lmdef: property " + std::to_string(word) +
+                 " is not known or cut short; it and what "
                  "follows are ignored");
             break;
         }
@@ -149,7 +152,8 @@ void lmbind(short target, short index) {
 
 void lmcolor(long mode) {
     if (mode < LMC_COLOR || mode > LMC_NULL)
-        return warn("lmcolor: " + std::to_string(mode) + "; expected LMC_COLOR to LMC_NULL; it is ignored");
+        return warn("lmcolor: " + std::to_string(mode) +
+                    "; expected LMC_COLOR to LMC_NULL; it is ignored");
     state().bound.color_mode = mode;
     apply_color_mode();
 }

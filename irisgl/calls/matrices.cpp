@@ -124,7 +124,8 @@ void window(Coord left, Coord right, Coord bottom, Coord top_, Coord near_, Coor
 }
 
 void perspective(Angle fovy, float aspect, Coord near_, Coord far_) {
-    if (!is_one_of_three("perspective", near_ != far_ && fovy > 0 && fovy < 1800 && aspect != 0)) return;
+    if (!is_one_of_three("perspective", near_ != far_ && fovy > 0 && fovy < 1800 && aspect != 0))
+        return;
     const double n = double(near_), f = double(far_);
     const double cot = 1 / tan_degrees(fovy / 20.0);
     dmat4 m(0);
@@ -161,7 +162,8 @@ void polarview(Coord distance, Angle azimuth, Angle incidence, Angle twist) {
 // rotate(-twist, z), then the turns that bring (vx - px, vy - py, vz - pz) to the z axis.
 void lookat(Coord vx, Coord vy, Coord vz, Coord px, Coord py, Coord pz, Angle twist) {
     turn(-twist / 10.0, 'z');
-    const double x = double(px) - double(vx), y = double(py) - double(vy), z = double(pz) - double(vz);
+    const double x = double(px) - double(vx), y = double(py) - double(vy),
+                 z = double(pz) - double(vz);
     const double flat = std::sqrt(x * x + z * z), whole = std::sqrt(x * x + y * y + z * z);
     if (whole > 0) {
         dmat4 pitch(1);
@@ -184,8 +186,9 @@ void lookat(Coord vx, Coord vy, Coord vz, Coord px, Coord py, Coord pz, Angle tw
 
 void viewport(Screencoord left, Screencoord right, Screencoord bottom, Screencoord top_) {
     if (left > right || bottom > top_)
-        return warn("viewport: its sides are exchanged; expected left <= right and bottom <= top; it "
-                    "is ignored");
+        return warn(
+            "viewport: its sides are exchanged; expected left <= right and bottom <= top; it "
+            "is ignored");
     state().viewport = state().screen_mask = {left, right, bottom, top_};
     apply_viewport();
 }
@@ -232,6 +235,12 @@ void getscrmask(short* left, short* right, short* bottom, short* top_) {
     *right = short(m.right);
     *bottom = short(m.bottom);
     *top_ = short(m.top);
+}
+
+// Tenths of a degree. Either result may be left out.
+void gl_sincos(Angle a, float* s, float* c) {
+    if (s != nullptr) *s = float(sin_degrees(a / 10.0));
+    if (c != nullptr) *c = float(cos_degrees(a / 10.0));
 }
 
 // One unit is a pixel, and the origin is the screen's lower left corner.

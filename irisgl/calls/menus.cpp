@@ -8,10 +8,10 @@
 #include "generated/irisgl/calls.h"
 
 #include <algorithm>
+#include <cstdarg>
 #include <cstdlib>
 #include <deque>
 #include <set>
-#include <cstdarg>
 #include <string>
 #include <utility>
 
@@ -23,9 +23,11 @@ using MenuFunction = long (*)(long);
 constexpr int row_height = 18, margin = 8;
 
 /// The words after % of an entry "text%x3": the arguments that some take come from `next`.
-void apply_word(Menu& menu, MenuEntry& entry, const std::string& word, bool& is_title, va_list& next) {
+void apply_word(Menu& menu, MenuEntry& entry, const std::string& word, bool& is_title,
+                va_list& next) {
     const char kind = word.empty() ? '\0' : word[0];
-    const long number = std::strtol(word.c_str() + std::min<std::size_t>(word.size(), 1), nullptr, 10);
+    const long number =
+        std::strtol(word.c_str() + std::min<std::size_t>(word.size(), 1), nullptr, 10);
     if (kind == 't') is_title = true;
     if (kind == 'x') entry.value = number;
     if (kind == 'l') entry.is_line_after = true;
@@ -43,7 +45,8 @@ void add_entry(Menu& menu, const std::string& text, va_list& next) {
     entry.text = text.substr(0, at);
     while (at != std::string::npos) {
         const std::size_t end = text.find('%', at + 1);
-        apply_word(menu, entry, text.substr(at + 1, end == std::string::npos ? end : end - at - 1), is_title, next);
+        apply_word(menu, entry, text.substr(at + 1, end == std::string::npos ? end : end - at - 1),
+                   is_title, next);
         at = end;
     }
     if (is_title)
@@ -73,7 +76,8 @@ struct OpenMenu {
 void fill(PopupPlanes& planes, int x, int y, int w, int h, std::uint8_t value) {
     for (int row = std::max(y, 0); row < std::min(y + h, planes.height); ++row)
         for (int column = std::max(x, 0); column < std::min(x + w, planes.width); ++column)
-            planes.pixels[std::size_t(row) * std::size_t(planes.width) + std::size_t(column)] = value;
+            planes.pixels[std::size_t(row) * std::size_t(planes.width) + std::size_t(column)] =
+                value;
 }
 
 void write(PopupPlanes& planes, int x, int y, const std::string& text, std::uint8_t value) {
@@ -130,16 +134,17 @@ long result_of(const Menu& menu, const MenuEntry& entry) {
     return value;
 }
 
-
 /// The queue while a menu is open: mouse and keys are its own. They come back as they were.
 class MenuDevices {
 public:
-    MenuDevices() : kept_(program().events.queued), before_(std::exchange(program().events.queue, {})) {
-        for (const unsigned d : {RIGHTMOUSE, MIDDLEMOUSE, LEFTMOUSE, MOUSEX, MOUSEY, UPARROWKEY, DOWNARROWKEY, RETKEY,
-                                 ESCKEY})
+    MenuDevices()
+        : kept_(program().events.queued), before_(std::exchange(program().events.queue, {})) {
+        for (const unsigned d : {RIGHTMOUSE, MIDDLEMOUSE, LEFTMOUSE, MOUSEX, MOUSEY, UPARROWKEY,
+                                 DOWNARROWKEY, RETKEY, ESCKEY})
             program().events.queued.insert(d);
         // What the program has queued already may choose.
-        for (const Event& e : before_) (is_of_menu(e.device) ? program().events.queue : left_).push_back(e);
+        for (const Event& e : before_)
+            (is_of_menu(e.device) ? program().events.queue : left_).push_back(e);
     }
     ~MenuDevices() {
         program().events.queued = kept_;
@@ -148,8 +153,8 @@ public:
     MenuDevices(const MenuDevices&) = delete;
     MenuDevices& operator=(const MenuDevices&) = delete;
     static bool is_of_menu(unsigned d) {
-        return d == RIGHTMOUSE || d == MIDDLEMOUSE || d == LEFTMOUSE || d == MOUSEX || d == MOUSEY ||
-               d == UPARROWKEY || d == DOWNARROWKEY || d == RETKEY || d == ESCKEY;
+        return d == RIGHTMOUSE || d == MIDDLEMOUSE || d == LEFTMOUSE || d == MOUSEX ||
+               d == MOUSEY || d == UPARROWKEY || d == DOWNARROWKEY || d == RETKEY || d == ESCKEY;
     }
     /// Any other event waits for the program.
     void leave(const Event& e) { left_.push_back(e); }
@@ -181,7 +186,8 @@ const MenuEntry* choose(OpenMenu& m, MenuDevices& devices) {
         const Event e = program().events.queue.front();
         program().events.queue.pop_front();
         const int count = int(m.menu.entries.size());
-        if (e.device == MOUSEX || e.device == MOUSEY || e.device == RIGHTMOUSE || e.device == LEFTMOUSE) {
+        if (e.device == MOUSEX || e.device == MOUSEY || e.device == RIGHTMOUSE ||
+            e.device == LEFTMOUSE) {
             const auto& at = program().events.valuators;
             const auto of = [&](unsigned d) { return at.contains(d) ? int(at.at(d).value) : 0; };
             m.chosen = entry_at(m, of(MOUSEX) - w.x, of(MOUSEY) - w.y);
@@ -211,7 +217,8 @@ long run_menu(long number, int x, int top, MenuDevices& devices, int depth) {
     const MenuEntry* const entry = choose(m, devices);
     if (entry == nullptr || entry->is_grey) return -1;
     if (entry->submenu == 0) return result_of(found->second, *entry);
-    const long value = run_menu(entry->submenu, m.x + m.width, m.row_y(m.chosen) + row_height, devices, depth + 1);
+    const long value =
+        run_menu(entry->submenu, m.x + m.width, m.row_y(m.chosen) + row_height, devices, depth + 1);
     return value >= 0 && found->second.function != nullptr ? found->second.function(value) : value;
 }
 
@@ -229,7 +236,8 @@ void freepup(long menu) { program().menus.all.erase(menu); }
 
 long dopup(long menu) {
     if (program().current == nullptr || !program().menus.all.contains(menu)) {
-        warn("dopup: menu " + std::to_string(menu) + " is not defined, or no window is open; it returns -1");
+        warn("dopup: menu " + std::to_string(menu) +
+             " is not defined, or no window is open; it returns -1");
         return -1;
     }
     Window& w = current_window();
@@ -247,7 +255,8 @@ long dopup(long menu) {
 
 void setpup(long menu, long entry, unsigned long mode) {
     const auto found = program().menus.all.find(menu);
-    if (found == program().menus.all.end() || entry < 1 || entry > long(found->second.entries.size()))
+    if (found == program().menus.all.end() || entry < 1 ||
+        entry > long(found->second.entries.size()))
         return warn("setpup: the menu has no entry " + std::to_string(entry) + "; it is ignored");
     found->second.entries[std::size_t(entry - 1)].is_grey = mode == PUP_GREY;
 }

@@ -54,8 +54,9 @@ void underlay(long planes) { current_window().set_aside_bits(1, planes); }
 
 void drawmode(long mode) {
     if (mode < NORMALDRAW || mode > CURSORDRAW)
-        return warn("drawmode: expected NORMALDRAW, PUPDRAW, OVERDRAW, UNDERDRAW or CURSORDRAW; it is "
-                    "ignored");
+        return warn(
+            "drawmode: expected NORMALDRAW, PUPDRAW, OVERDRAW, UNDERDRAW or CURSORDRAW; it is "
+            "ignored");
     if (mode == state().draw_mode) return;
     state().draw_mode = mode;
     if (mode == CURSORDRAW) return;  // only its map is used
@@ -103,21 +104,56 @@ void greset() {
 }
 
 long getgdesc(long what) {
-    static const std::map<long, long> answers{
-        {GD_XPMAX, 1280}, {GD_YPMAX, 1024}, {GD_XMMAX, 340}, {GD_YMMAX, 270}, {GD_ZMIN, z_min},
-        {GD_ZMAX, z_max}, {GD_BITS_NORM_SNG_RED, 8}, {GD_BITS_NORM_SNG_GREEN, 8},
-        {GD_BITS_NORM_SNG_BLUE, 8}, {GD_BITS_NORM_DBL_RED, 8}, {GD_BITS_NORM_DBL_GREEN, 8},
-        {GD_BITS_NORM_DBL_BLUE, 8}, {GD_BITS_NORM_SNG_CMODE, index_bits},
-        {GD_BITS_NORM_DBL_CMODE, index_bits}, {GD_BITS_NORM_ZBUFFER, 24},
-        {GD_BITS_OVER_SNG_CMODE, 2}, {GD_BITS_UNDR_SNG_CMODE, 2}, {GD_BITS_PUP_SNG_CMODE, 2},
-        {GD_BITS_NORM_SNG_ALPHA, 8}, {GD_BITS_NORM_DBL_ALPHA, 8}, {GD_BITS_CURSOR, 1}, {GD_BLEND, 1},
-        {GD_DITHER, 1}, {GD_LINESMOOTH_RGB, 1}, {GD_PNTSMOOTH_RGB, 1}, {GD_LOGICOP, 1}, {GD_NSCRNS, 1},
-        {GD_NBLINKS, 20}, {GD_NVERTEX_POLY, GD_NOLIMIT}, {GD_READSOURCE, 1},
-        {GD_READSOURCE_ZBUFFER, 1}, {GD_WSYS, GD_WSYS_4S}, {GD_ZDRAW_PIXELS, 1}, {GD_NMMAPS, 0},
-        {GD_TIMERHZ, 60}, {GD_AFUNCTION, 1}, {GD_BITS_ACBUF, 16}, {GD_BITS_STENCIL, 8},
-        {GD_CLIPPLANES, 6}, {GD_FOGVERTEX, 1}, {GD_FOGPIXEL, 1}, {GD_LIGHTING_TWOSIDE, 1},
-        {GD_POLYMODE, 1}, {GD_POLYSMOOTH, 1}, {GD_SUBPIXEL_LINE, 1}, {GD_SUBPIXEL_PNT, 1},
-        {GD_SUBPIXEL_POLY, 1}, {GD_TEXTURE, 1}, {GD_TEXTURE_PERSP, 1}, {GD_SCRNTYPE, GD_SCRNTYPE_WM}};
+    static const std::map<long, long> answers{{GD_XPMAX, 1280},
+                                              {GD_YPMAX, 1024},
+                                              {GD_XMMAX, 340},
+                                              {GD_YMMAX, 270},
+                                              {GD_ZMIN, z_min},
+                                              {GD_ZMAX, z_max},
+                                              {GD_BITS_NORM_SNG_RED, 8},
+                                              {GD_BITS_NORM_SNG_GREEN, 8},
+                                              {GD_BITS_NORM_SNG_BLUE, 8},
+                                              {GD_BITS_NORM_DBL_RED, 8},
+                                              {GD_BITS_NORM_DBL_GREEN, 8},
+                                              {GD_BITS_NORM_DBL_BLUE, 8},
+                                              {GD_BITS_NORM_SNG_CMODE, index_bits},
+                                              {GD_BITS_NORM_DBL_CMODE, index_bits},
+                                              {GD_BITS_NORM_ZBUFFER, 24},
+                                              {GD_BITS_OVER_SNG_CMODE, 2},
+                                              {GD_BITS_UNDR_SNG_CMODE, 2},
+                                              {GD_BITS_PUP_SNG_CMODE, 2},
+                                              {GD_BITS_NORM_SNG_ALPHA, 8},
+                                              {GD_BITS_NORM_DBL_ALPHA, 8},
+                                              {GD_BITS_CURSOR, 1},
+                                              {GD_BLEND, 1},
+                                              {GD_DITHER, 1},
+                                              {GD_LINESMOOTH_RGB, 1},
+                                              {GD_PNTSMOOTH_RGB, 1},
+                                              {GD_LOGICOP, 1},
+                                              {GD_NSCRNS, 1},
+                                              {GD_NBLINKS, 20},
+                                              {GD_NVERTEX_POLY, GD_NOLIMIT},
+                                              {GD_READSOURCE, 1},
+                                              {GD_READSOURCE_ZBUFFER, 1},
+                                              {GD_WSYS, GD_WSYS_4S},
+                                              {GD_ZDRAW_PIXELS, 1},
+                                              {GD_NMMAPS, 0},
+                                              {GD_TIMERHZ, 60},
+                                              {GD_AFUNCTION, 1},
+                                              {GD_BITS_ACBUF, 16},
+                                              {GD_BITS_STENCIL, 8},
+                                              {GD_CLIPPLANES, 6},
+                                              {GD_FOGVERTEX, 1},
+                                              {GD_FOGPIXEL, 1},
+                                              {GD_LIGHTING_TWOSIDE, 1},
+                                              {GD_POLYMODE, 1},
+                                              {GD_POLYSMOOTH, 1},
+                                              {GD_SUBPIXEL_LINE, 1},
+                                              {GD_SUBPIXEL_PNT, 1},
+                                              {GD_SUBPIXEL_POLY, 1},
+                                              {GD_TEXTURE, 1},
+                                              {GD_TEXTURE_PERSP, 1},
+                                              {GD_SCRNTYPE, GD_SCRNTYPE_WM}};
     const auto found = answers.find(what);
     return found == answers.end() ? 0 : found->second;
 }

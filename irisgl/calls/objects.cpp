@@ -46,8 +46,10 @@ void remove_calls(ObjectList& list, std::size_t first, std::size_t last) {
 }  // namespace
 
 void makeobj(Object n) {
-    if (objects().open.is_open())
-        return warn("makeobj: an object is open; expected closeobj before it; it is ignored");
+    if (objects().open.is_open()) {
+        warn("makeobj: an object is open; it is closed");
+        closeobj();
+    }
     objects().all[n] = {};
     objects().open = {.name = n, .list = &objects().all[n]};
 }

@@ -127,8 +127,8 @@ void bounding_box(long dx, long dy, double x1, double y1, double x2, double y2) 
 }
 
 // The line that a point of the screen is, in the coordinates of an object of viewing commands.
-void mapw(long obj, Screencoord x, Screencoord y, float* x1, float* y1, float* z1, float* x2, float* y2,
-          float* z2) {
+void mapw(long obj, Screencoord x, Screencoord y, float* x1, float* y1, float* z1, float* x2,
+          float* y2, float* z2) {
     pushmatrix();
     callobj(obj);
     const dmat4& m = state().matrices.back();
@@ -136,8 +136,8 @@ void mapw(long obj, Screencoord x, Screencoord y, float* x1, float* y1, float* z
     const Bounds& v = state().viewport;
     float* const out[] = {x1, y1, z1, x2, y2, z2};
     for (int end = 0; end < 2; ++end) {
-        const dvec4 clip{2 * (x + 0.5 - v.left) / v.width() - 1, 2 * (y + 0.5 - v.bottom) / v.height() - 1,
-                         end == 0 ? -1 : 1, 1};
+        const dvec4 clip{2 * (x + 0.5 - v.left) / v.width() - 1,
+                         2 * (y + 0.5 - v.bottom) / v.height() - 1, end == 0 ? -1 : 1, 1};
         const dvec4 p = back * clip;
         for (int i = 0; i < 3; ++i)
             if (out[3 * end + i] != nullptr) *out[3 * end + i] = float(p[i] / p.w);

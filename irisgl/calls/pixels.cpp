@@ -29,7 +29,8 @@ IndexColor code() { return IndexColor{std::min(current_window().profile().color_
 
 void select_read_buffer() {
     const State& s = state();
-    const bool back = s.double_buffered && s.draw_mode == NORMALDRAW && s.pixels.source != SRC_FRONT;
+    const bool back =
+        s.double_buffered && s.draw_mode == NORMALDRAW && s.pixels.source != SRC_FRONT;
     glReadBuffer(back ? GL_BACK : GL_FRONT);
 }
 
@@ -40,8 +41,10 @@ Pixels32 read(const Bounds& at) {
     const int x = at.left + state().viewport.left, y = at.bottom + state().viewport.bottom;
     if (state().pixels.source == SRC_ZBUFFER) {
         std::vector<GLuint> depths(out.size());
-        glReadPixels(x, y, at.width(), at.height(), GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, depths.data());
-        for (std::size_t i = 0; i < out.size(); ++i) out[i] = std::uint32_t(long(depths[i] >> 8) + z_min);
+        glReadPixels(x, y, at.width(), at.height(), GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                     depths.data());
+        for (std::size_t i = 0; i < out.size(); ++i)
+            out[i] = std::uint32_t(long(depths[i] >> 8) + z_min);
         return out;
     }
     glReadPixels(x, y, at.width(), at.height(), GL_RGBA, GL_UNSIGNED_BYTE, out.data());
@@ -125,7 +128,8 @@ void lrectwrite(Screencoord x1, Screencoord y1, Screencoord x2, Screencoord y2, 
     write(at, std::move(all));
 }
 
-void rectcopy(Screencoord x1, Screencoord y1, Screencoord x2, Screencoord y2, Screencoord x, Screencoord y) {
+void rectcopy(Screencoord x1, Screencoord y1, Screencoord x2, Screencoord y2, Screencoord x,
+              Screencoord y) {
     const Bounds at = bounds_of(x1, y1, x2, y2);
     if (!is_sane(at)) return;
     write({x, x + at.width() - 1, y, y + at.height() - 1}, read(at));
@@ -138,9 +142,12 @@ void rectzoom(float x, float y) {
 
 void pixmode(long mode, long value) {
     Pixels& p = state().pixels;
-    if (mode == PM_TTOB) p.top_to_bottom = value != 0;
-    else if (mode == PM_RTOL) p.right_to_left = value != 0;
-    else if (mode == PM_STRIDE) p.stride = value;
+    if (mode == PM_TTOB)
+        p.top_to_bottom = value != 0;
+    else if (mode == PM_RTOL)
+        p.right_to_left = value != 0;
+    else if (mode == PM_STRIDE)
+        p.stride = value;
     else if (mode < PM_SHIFT || mode > PM_ZDATA || (mode == PM_SIZE ? value != 32 : value != 0))
         warn("pixmode: mode " + std::to_string(mode) + " with value " + std::to_string(value) +
              " is not offered: words of 32 bits, TTOB, RTOL and STRIDE are; it is ignored");
@@ -150,19 +157,22 @@ void readsource(long source) { state().pixels.source = source; }
 
 long readpixels(short n, Colorindex* c) {
     if (c == nullptr || n <= 0) return 0;
-    const int x = state().character[0] - state().viewport.left, y = state().character[1] - state().viewport.bottom;
+    const int x = state().character[0] - state().viewport.left,
+              y = state().character[1] - state().viewport.bottom;
     const Pixels32 all = read({x, x + n - 1, y, y});
     for (std::size_t i = 0; i < all.size(); ++i) c[i] = Colorindex(all[i]);
     return n;
 }
 void writepixels(short n, Colorindex* c) {
     if (c == nullptr || n <= 0) return;
-    const int x = state().character[0] - state().viewport.left, y = state().character[1] - state().viewport.bottom;
+    const int x = state().character[0] - state().viewport.left,
+              y = state().character[1] - state().viewport.bottom;
     write({x, x + n - 1, y, y}, Pixels32(c, c + n));
 }
 long read_rgb(short n, RGBvalue* r, RGBvalue* g, RGBvalue* b) {
     if (n <= 0) return 0;
-    const int x = state().character[0] - state().viewport.left, y = state().character[1] - state().viewport.bottom;
+    const int x = state().character[0] - state().viewport.left,
+              y = state().character[1] - state().viewport.bottom;
     const Pixels32 all = read({x, x + n - 1, y, y});
     for (std::size_t i = 0; i < all.size(); ++i) {
         r[i] = RGBvalue(all[i]);
@@ -173,10 +183,12 @@ long read_rgb(short n, RGBvalue* r, RGBvalue* g, RGBvalue* b) {
 }
 void write_rgb(short n, RGBvalue* r, RGBvalue* g, RGBvalue* b) {
     if (n <= 0) return;
-    const int x = state().character[0] - state().viewport.left, y = state().character[1] - state().viewport.bottom;
+    const int x = state().character[0] - state().viewport.left,
+              y = state().character[1] - state().viewport.bottom;
     Pixels32 all;
     for (int i = 0; i < n; ++i)
-        all.push_back(std::uint32_t(r[i]) | std::uint32_t(g[i]) << 8 | std::uint32_t(b[i]) << 16 | 0xFF000000u);
+        all.push_back(std::uint32_t(r[i]) | std::uint32_t(g[i]) << 8 | std::uint32_t(b[i]) << 16 |
+                      0xFF000000u);
     write({x, x + n - 1, y, y}, std::move(all));
 }
 

@@ -83,7 +83,8 @@ void charstr(const std::string& text) {
 void defrasterfont(short n, short height, short count, Fontchar* chars, short rasters,
                    unsigned short* raster) {
     if (n == 0 || chars == nullptr || raster == nullptr || count < 0)
-        return warn("defrasterfont: font " + std::to_string(n) + "; expected a number other than 0 and "
+        return warn("defrasterfont: font " + std::to_string(n) +
+                    "; expected a number other than 0 and "
                     "characters; it is ignored");
     Font font{.glyphs = {}, .height = height, .descender = 0};
     for (int i = 0; i < count; ++i) {

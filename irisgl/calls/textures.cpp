@@ -30,7 +30,8 @@ void read_texels(TextureDefinition& t, Words image) {
     for (long y = 0; y < t.height; ++y)
         for (long x = 0; x < t.width; ++x) {
             std::uint32_t v[4];
-            for (int c = 0; c < t.components; ++c) v[c] = component(image, row_words, x, y, t.components, c);
+            for (int c = 0; c < t.components; ++c)
+                v[c] = component(image, row_words, x, y, t.components, c);
             // 4: ABGR in a word; 3: BGR; 2: intensity and alpha; 1: intensity.
             const int n = t.components;
             const std::uint32_t r = n == 4 ? v[3] : n == 3 ? v[2] : v[0];
@@ -55,11 +56,15 @@ GLint filter_of(int word) {
 
 void set_property(int word, int value) {
     const GLint wrap = value == TX_CLAMP ? GL_CLAMP_TO_EDGE : GL_REPEAT;
-    if (word == TX_MINFILTER) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter_of(value));
+    if (word == TX_MINFILTER)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter_of(value));
     if (word == TX_MAGFILTER)
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, value == TX_POINT ? GL_NEAREST : GL_LINEAR);
-    if (word == TX_WRAP || word == TX_WRAP_S) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
-    if (word == TX_WRAP || word == TX_WRAP_T) glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
+                        value == TX_POINT ? GL_NEAREST : GL_LINEAR);
+    if (word == TX_WRAP || word == TX_WRAP_S)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    if (word == TX_WRAP || word == TX_WRAP_T)
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
 }
 
 /// Gives OpenGL the definition, with levels when the filter needs them.
@@ -77,13 +82,15 @@ GLenum axis_of(long coordinate) { return coordinate == TX_T ? GL_T : GL_S; }
 
 }  // namespace
 
-void texdef2d(long index, long components, long width, long height, Words image, long n, Values props) {
+void texdef2d(long index, long components, long width, long height, Words image, long n,
+              Values props) {
     const bool fits = width > 0 && height > 0 && width <= 4096 && height <= 4096;
     if (index <= 0 || components < 1 || components > 4 || !fits || !image.is_given())
-        return warn("texdef2d: texture " + std::to_string(index) + " of " + std::to_string(width) + " x " +
-                    std::to_string(height) + " texels of " + std::to_string(components) +
-                    " components; expected an index from 1, an image, 1 to 4 components and sides of 1 "
-                    "to 4096; it is ignored");
+        return warn(
+            "texdef2d: texture " + std::to_string(index) + " of " + std::to_string(width) + " x " +
+            std::to_string(height) + " texels of " + std::to_string(components) +
+            " components; expected an index from 1, an image, 1 to 4 components and sides of 1 "
+            "to 4096; it is ignored");
     TextureDefinition& t = program().textures[index];
     t.components = int(components);
     t.width = width;
@@ -108,7 +115,8 @@ void texbind(long target, long index) {
 }
 
 void tevdef(long index, long n, Values props) {
-    program().environments[index].assign(props.begin(), props.begin() + std::min(n, long(props.size())));
+    program().environments[index].assign(props.begin(),
+                                         props.begin() + std::min(n, long(props.size())));
 }
 
 void tevbind(long, long index) {
@@ -126,7 +134,8 @@ void tevbind(long, long index) {
 }
 
 void texgen(long coordinate, long mode, Values params) {
-    const GLenum axis = axis_of(coordinate), capability = axis == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
+    const GLenum axis = axis_of(coordinate),
+                 capability = axis == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
     if (mode == TG_OFF || mode == TG_ON) return (mode == TG_ON ? glEnable : glDisable)(capability);
     load_matrices();
     if (mode == TG_SPHEREMAP) {

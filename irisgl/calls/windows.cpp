@@ -1,8 +1,8 @@
 // Windows: opening, places, sizes.
-#include "irisgl/window/window.h"
 #include "irisgl/calls/shared.h"
 #include "irisgl/draw/apply.h"
 #include "irisgl/state/program.h"
+#include "irisgl/window/window.h"
 
 #include "generated/irisgl/calls.h"
 
@@ -24,7 +24,8 @@ struct Place {
 
 Place take_hints() {
     const WindowHints h = std::exchange(program().hints, {});
-    Place p{h.x, h.y, h.width > 0 ? h.width : default_width, h.height > 0 ? h.height : default_height};
+    Place p{h.x, h.y, h.width > 0 ? h.width : default_width,
+            h.height > 0 ? h.height : default_height};
     if (h.width == 0 && h.aspect_x > 0 && h.aspect_y > 0)
         p.width = std::max(1L, p.height * h.aspect_x / h.aspect_y);
     p.width = std::max(p.width, h.min_width);
@@ -56,7 +57,8 @@ void move_to(long x, long y, long width, long height) {
     Window& w = current_window();
     w.x = int(x);
     w.y = int(y);
-    w.take_size(int(std::clamp(width, 1L, screen_width)), int(std::clamp(height, 1L, screen_height)));
+    w.take_size(int(std::clamp(width, 1L, screen_width)),
+                int(std::clamp(height, 1L, screen_height)));
     if (w.host() != nullptr) w.host()->place(w.x, w.y, w.width(), w.height());
     happen(REDRAW, w.id());
 }

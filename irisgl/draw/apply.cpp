@@ -45,7 +45,8 @@ void apply_lines() {
     glLineWidth(float(std::max(s.now.line_width, 1.0)));
     glPointSize(float(std::max(s.now.point_size, 1.0)));
     set(GL_LINE_STIPPLE, s.now.linestyle != 0);
-    glLineStipple(GLint(std::clamp(s.now.linestyle_repeat, 1L, 255L)), linestyle_of(s.now.linestyle));
+    glLineStipple(GLint(std::clamp(s.now.linestyle_repeat, 1L, 255L)),
+                  linestyle_of(s.now.linestyle));
     set(GL_LINE_SMOOTH, s.smooth.lines);
     set(GL_POINT_SMOOTH, s.smooth.points);
     set(GL_POLYGON_SMOOTH, s.smooth.polygons);
@@ -66,9 +67,9 @@ void apply_polygons() {
     set(GL_CULL_FACE, s.backface || s.frontface);
     glCullFace(s.backface && s.frontface ? GL_FRONT_AND_BACK : s.frontface ? GL_FRONT : GL_BACK);
     const long mode = s.polygon_mode;
-    glPolygonMode(GL_FRONT_AND_BACK, mode == PYM_POINT                         ? GL_POINT
-                                     : mode == PYM_FILL                        ? GL_FILL
-                                                                               : GL_LINE);
+    glPolygonMode(GL_FRONT_AND_BACK, mode == PYM_POINT  ? GL_POINT
+                                     : mode == PYM_FILL ? GL_FILL
+                                                        : GL_LINE);
     glShadeModel(s.now.shade_model == FLAT ? GL_FLAT : GL_SMOOTH);
 }
 
@@ -95,8 +96,9 @@ void apply_color_mask() {
         const std::uint32_t bits = mask >> 8 * i & 0xFF;
         on[i] = bits != 0;
         if (bits != 0 && bits != 0xFF)
-            warn("wmpack: the write mask of a channel is neither 0 nor 255; in RGB mode the machine "
-                 "masks whole channels");
+            warn(
+                "wmpack: the write mask of a channel is neither 0 nor 255; in RGB mode the machine "
+                "masks whole channels");
     }
     glColorMask(on[0], on[1], on[2], on[3]);
 }

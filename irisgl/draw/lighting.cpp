@@ -103,8 +103,7 @@ dvec3 eye_normal(const vec3& n) {
 dvec3 eye_point(const dvec4& p) {
     const dmat4& m = state().matrices.back();
     dvec3 out;
-    for (int i = 0; i < 3; ++i)
-        out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, p);
+    for (int i = 0; i < 3; ++i) out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, p);
     return out;
 }
 

@@ -16,8 +16,7 @@ namespace {
 
 dvec4 times(const dmat4& m, const dvec4& v) {
     dvec4 out;
-    for (int i = 0; i < 4; ++i)
-        out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, v);
+    for (int i = 0; i < 4; ++i) out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, v);
     return out;
 }
 

@@ -80,8 +80,9 @@ void flatten(Shape shape, std::vector<Vertex>& vertices) {
 }
 
 bool is_uniform(std::span<const Vertex> vertices) {
-    return std::all_of(vertices.begin(), vertices.end(),
-                       [&](const Vertex& v) { return rounded(v.index) == rounded(vertices[0].index); });
+    return std::all_of(vertices.begin(), vertices.end(), [&](const Vertex& v) {
+        return rounded(v.index) == rounded(vertices[0].index);
+    });
 }
 
 struct Emission {
@@ -132,13 +133,14 @@ void emit_shape(Shape shape, std::span<const Vertex> vertices, const Emission& e
 bool is_whole_channels(unsigned mask) {
     const IndexColor code{std::min(current_window().profile().color_bits, 8)};
     const unsigned low = code.low(index_mask), high = index_mask & ~low;
-    return ((mask & low) == 0 || (mask & low) == low) && ((mask & high) == 0 || (mask & high) == high);
+    return ((mask & low) == 0 || (mask & low) == low) &&
+           ((mask & high) == 0 || (mask & high) == high);
 }
 
 void set_index_mask(unsigned mask) {
     const IndexColor code{std::min(current_window().profile().color_bits, 8)};
-    glColorMask((mask & code.low(index_mask)) != 0, (mask & ~code.low(index_mask) & index_mask) != 0,
-                GL_FALSE, GL_FALSE);
+    glColorMask((mask & code.low(index_mask)) != 0,
+                (mask & ~code.low(index_mask) & index_mask) != 0, GL_FALSE, GL_FALSE);
 }
 
 /// Draws `draw` with the write mask of indices.
@@ -178,8 +180,7 @@ std::vector<Vertex> unswapped(std::span<const Vertex> in, const std::vector<std:
             std::swap(older, newer);
             ++swap;
         }
-        if (older != nullptr && newer != nullptr)
-            out.insert(out.end(), {*older, *newer, in[i]});
+        if (older != nullptr && newer != nullptr) out.insert(out.end(), {*older, *newer, in[i]});
         older = newer;
         newer = &in[i];
     }
@@ -198,7 +199,8 @@ void draw_indices(Shape shape, std::span<const Vertex> vertices) {
 }
 
 void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
-    const auto lit = std::count_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return v.is_lit; });
+    const auto lit =
+        std::count_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return v.is_lit; });
     const bool colored = state().bound.color_mode != LMC_COLOR && state().bound.is_lit();
     const Emission e{.lit = lit > 0 || colored,
                      .mixed = lit > 0 && std::size_t(lit) < vertices.size() && !colored};

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the doors of IRIS GL from its table: generate.py functions.txt FOLDER
 
-FOLDER/include/gl/functions.h has the prototypes for programs, FOLDER/calls.h declares the calls that
-carry the functions out, FOLDER/entry_points.cpp defines the functions, FOLDER/functions.inc has a
-line GW_IRISGL_FUNCTION(name, kind) for each.
+FOLDER/include/gl/functions.h has the prototypes for programs, FOLDER/calls.h declares the calls
+that carry the functions out, FOLDER/entry_points.cpp defines the functions, FOLDER/exports.map
+names them, FOLDER/functions.inc has a line GW_IRISGL_FUNCTION(name, kind) for each.
 """
 import pathlib
 import re
@@ -60,7 +60,7 @@ class Parameter:
             return f"{t} {self.name}[4][4]"
         if self.kind in ("out", "words"):
             return f"{t}* {self.name}"
-        return f"{t} {self.name}".replace("String ", "char* ")
+        return f"{t} {self.name}".replace("String ", "const char* ")
 
     def cpp(self, word=None):
         t = word or self.type

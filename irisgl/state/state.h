@@ -94,7 +94,7 @@ struct State {
     dvec4 position{0, 0, 0, 1};  ///< the graphics position
     vec3 normal{0, 0, 1};
     vec2 texture_coordinate{0, 0};
-    bool is_lit = false;         ///< a normal came after the last colour
+    bool is_lit = false;  ///< a normal came after the last colour
     std::array<short, 2> character{};
     bool is_character_valid = true;
     short basis = 0, u_basis = 0, v_basis = 0;

@@ -21,21 +21,60 @@ struct KeyName {
     KeySym symbol;
     unsigned device;
 };
-constexpr KeyName keys[] = {
-    {XK_Escape, ESCKEY}, {XK_Tab, TABKEY}, {XK_Return, RETKEY}, {XK_BackSpace, BACKSPACEKEY},
-    {XK_Delete, DELKEY}, {XK_space, SPACEKEY}, {XK_Left, LEFTARROWKEY}, {XK_Right, RIGHTARROWKEY},
-    {XK_Up, UPARROWKEY}, {XK_Down, DOWNARROWKEY}, {XK_Shift_L, LEFTSHIFTKEY},
-    {XK_Shift_R, RIGHTSHIFTKEY}, {XK_Control_L, LEFTCTRLKEY}, {XK_Control_R, RIGHTCTRLKEY},
-    {XK_Alt_L, LEFTALTKEY}, {XK_Alt_R, RIGHTALTKEY}, {XK_minus, MINUSKEY}, {XK_equal, EQUALKEY},
-    {XK_comma, COMMAKEY}, {XK_period, PERIODKEY}, {XK_slash, VIRGULEKEY},
-    {XK_semicolon, SEMICOLONKEY}, {XK_apostrophe, QUOTEKEY}, {XK_bracketleft, LEFTBRACKETKEY},
-    {XK_bracketright, RIGHTBRACKETKEY}, {XK_backslash, BACKSLASHKEY}, {XK_Home, HOMEKEY},
-    {XK_End, ENDKEY}, {XK_Page_Up, PAGEUPKEY}, {XK_Page_Down, PAGEDOWNKEY}, {XK_Insert, INSERTKEY},
-    {XK_KP_Enter, PADENTER}, {XK_KP_0, PAD0}, {XK_KP_1, PAD1}, {XK_KP_2, PAD2}, {XK_KP_3, PAD3},
-    {XK_KP_4, PAD4}, {XK_KP_5, PAD5}, {XK_KP_6, PAD6}, {XK_KP_7, PAD7}, {XK_KP_8, PAD8},
-    {XK_KP_9, PAD9}, {XK_F1, F1KEY}, {XK_F2, F2KEY}, {XK_F3, F3KEY}, {XK_F4, F4KEY}, {XK_F5, F5KEY},
-    {XK_F6, F6KEY}, {XK_F7, F7KEY}, {XK_F8, F8KEY}, {XK_F9, F9KEY}, {XK_F10, F10KEY},
-    {XK_F11, F11KEY}, {XK_F12, F12KEY}};
+constexpr KeyName keys[] = {{XK_Escape, ESCKEY},
+                            {XK_Tab, TABKEY},
+                            {XK_Return, RETKEY},
+                            {XK_BackSpace, BACKSPACEKEY},
+                            {XK_Delete, DELKEY},
+                            {XK_space, SPACEKEY},
+                            {XK_Left, LEFTARROWKEY},
+                            {XK_Right, RIGHTARROWKEY},
+                            {XK_Up, UPARROWKEY},
+                            {XK_Down, DOWNARROWKEY},
+                            {XK_Shift_L, LEFTSHIFTKEY},
+                            {XK_Shift_R, RIGHTSHIFTKEY},
+                            {XK_Control_L, LEFTCTRLKEY},
+                            {XK_Control_R, RIGHTCTRLKEY},
+                            {XK_Alt_L, LEFTALTKEY},
+                            {XK_Alt_R, RIGHTALTKEY},
+                            {XK_minus, MINUSKEY},
+                            {XK_equal, EQUALKEY},
+                            {XK_comma, COMMAKEY},
+                            {XK_period, PERIODKEY},
+                            {XK_slash, VIRGULEKEY},
+                            {XK_semicolon, SEMICOLONKEY},
+                            {XK_apostrophe, QUOTEKEY},
+                            {XK_bracketleft, LEFTBRACKETKEY},
+                            {XK_bracketright, RIGHTBRACKETKEY},
+                            {XK_backslash, BACKSLASHKEY},
+                            {XK_Home, HOMEKEY},
+                            {XK_End, ENDKEY},
+                            {XK_Page_Up, PAGEUPKEY},
+                            {XK_Page_Down, PAGEDOWNKEY},
+                            {XK_Insert, INSERTKEY},
+                            {XK_KP_Enter, PADENTER},
+                            {XK_KP_0, PAD0},
+                            {XK_KP_1, PAD1},
+                            {XK_KP_2, PAD2},
+                            {XK_KP_3, PAD3},
+                            {XK_KP_4, PAD4},
+                            {XK_KP_5, PAD5},
+                            {XK_KP_6, PAD6},
+                            {XK_KP_7, PAD7},
+                            {XK_KP_8, PAD8},
+                            {XK_KP_9, PAD9},
+                            {XK_F1, F1KEY},
+                            {XK_F2, F2KEY},
+                            {XK_F3, F3KEY},
+                            {XK_F4, F4KEY},
+                            {XK_F5, F5KEY},
+                            {XK_F6, F6KEY},
+                            {XK_F7, F7KEY},
+                            {XK_F8, F8KEY},
+                            {XK_F9, F9KEY},
+                            {XK_F10, F10KEY},
+                            {XK_F11, F11KEY},
+                            {XK_F12, F12KEY}};
 constexpr unsigned letters[] = {AKEY, BKEY, CKEY, DKEY, EKEY, FKEY, GKEY, HKEY, IKEY,
                                 JKEY, KKEY, LKEY, MKEY, NKEY, OKEY, PKEY, QKEY, RKEY,
                                 SKEY, TKEY, UKEY, VKEY, WKEY, XKEY, YKEY, ZKEY};
@@ -89,10 +128,13 @@ public:
         XStoreName(display_, window_, title.c_str());
     }
     void place(int x, int y, int width, int height) override {
-        XMoveResizeWindow(display_, window_, x, top_of(y, height), unsigned(width), unsigned(height));
+        XMoveResizeWindow(display_, window_, x, top_of(y, height), unsigned(width),
+                          unsigned(height));
         height_ = height;
     }
-    void raise(bool up) override { up ? XRaiseWindow(display_, window_) : XLowerWindow(display_, window_); }
+    void raise(bool up) override {
+        up ? XRaiseWindow(display_, window_) : XLowerWindow(display_, window_);
+    }
     void ring() override { XBell(display_, 0); }
     void show_cursor(bool on) override {
         if (on) {
@@ -120,7 +162,9 @@ public:
     }
 
 private:
-    int top_of(int y, int height) const { return DisplayHeight(display_, visual_.screen) - y - height; }
+    int top_of(int y, int height) const {
+        return DisplayHeight(display_, visual_.screen) - y - height;
+    }
     void tell(const HostListener& listener, XEvent& event);
     void tell_key(const HostListener& listener, XKeyEvent& event);
 
@@ -137,7 +181,8 @@ void XWindow::tell_key(const HostListener& listener, XKeyEvent& event) {
     if (const unsigned device = device_of(XLookupKeysym(&event, 0))) listener.button(device, down);
     char text[8] = {};
     const int length = XLookupString(&event, text, sizeof text, nullptr, nullptr);
-    for (int i = 0; down && i < length; ++i) listener.character(static_cast<unsigned char>(text[i]));
+    for (int i = 0; down && i < length; ++i)
+        listener.character(static_cast<unsigned char>(text[i]));
 }
 
 void XWindow::tell(const HostListener& listener, XEvent& event) {
@@ -183,7 +228,8 @@ std::unique_ptr<HostWindow> make_host_window(const std::string& title, int x, in
     if (display == nullptr) return nullptr;
     const auto visuals = true_color_visuals(display, DefaultScreen(display));
     if (visuals.empty()) return nullptr;
-    return std::make_unique<XWindow>(display, visuals.front(), title, x, y, width, height, has_border);
+    return std::make_unique<XWindow>(display, visuals.front(), title, x, y, width, height,
+                                     has_border);
 }
 
 }  // namespace gw::irisgl

@@ -58,7 +58,8 @@ void Window::select_planes() {
     if (mode == OVERDRAW || mode == UNDERDRAW || mode == PUPDRAW) {
         const std::size_t which = mode == UNDERDRAW ? 1 : 0;
         if (!aside_[which])
-            aside_[which] = std::make_unique<AsidePlanes>(*this, which == 0 ? " overlay" : " underlay");
+            aside_[which] =
+                std::make_unique<AsidePlanes>(*this, which == 0 ? " overlay" : " underlay");
         to = aside_[which].get();
     }
     gl::make_current(&context, to);
@@ -131,7 +132,8 @@ void Window::compose(std::span<std::uint32_t> pixels) {
         const Planes& planes = aside_[which]->planes();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const unsigned index = planes.color[i][0] & mask;
-            const bool covers = which == 0 ? index != 0 : (pixels[i] & 0xFF000000u) == 0 && index != 0;
+            const bool covers =
+                which == 0 ? index != 0 : (pixels[i] & 0xFF000000u) == 0 && index != 0;
             if (covers) pixels[i] = map.aside[which][index] | 0xFF000000u;
         }
     }
@@ -158,7 +160,8 @@ const Planes& Window::shown() {
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
         shown_.color[i] = unpacked(pixels_[i]);
         if (bits > 8)
-            for (std::uint16_t& v : shown_.color[i]) v = std::uint16_t(v * ((1u << bits) - 1) / 255);
+            for (std::uint16_t& v : shown_.color[i])
+                v = std::uint16_t(v * ((1u << bits) - 1) / 255);
     }
     return shown_;
 }

@@ -13,9 +13,9 @@ constexpr MapEntry rgb_entry(unsigned r, unsigned g, unsigned b) { return r | g 
 
 /// The first 16 entries of the map when a program starts.
 constexpr std::array first_entries{
-    rgb_entry(0, 0, 0),      rgb_entry(255, 0, 0),     rgb_entry(0, 255, 0),
-    rgb_entry(255, 255, 0),  rgb_entry(0, 0, 255),     rgb_entry(255, 0, 255),
-    rgb_entry(0, 255, 255),  rgb_entry(255, 255, 255), rgb_entry(85, 85, 85),
+    rgb_entry(0, 0, 0),       rgb_entry(255, 0, 0),     rgb_entry(0, 255, 0),
+    rgb_entry(255, 255, 0),   rgb_entry(0, 0, 255),     rgb_entry(255, 0, 255),
+    rgb_entry(0, 255, 255),   rgb_entry(255, 255, 255), rgb_entry(85, 85, 85),
     rgb_entry(198, 113, 113), rgb_entry(113, 198, 113), rgb_entry(142, 142, 56),
     rgb_entry(113, 113, 198), rgb_entry(142, 56, 142),  rgb_entry(56, 142, 142),
     rgb_entry(170, 170, 170)};
@@ -24,7 +24,8 @@ constexpr std::array first_entries{
 
 ColorMap::ColorMap() {
     for (std::size_t i = 0; i < first_entries.size(); ++i) entries[i] = first_entries[i];
-    for (auto& planes : aside) planes = {0, rgb_entry(255, 0, 0), rgb_entry(0, 255, 0), rgb_entry(0, 0, 255)};
+    for (auto& planes : aside)
+        planes = {0, rgb_entry(255, 0, 0), rgb_entry(0, 255, 0), rgb_entry(0, 0, 255)};
     aside[2] = {0, rgb_entry(170, 170, 170), rgb_entry(0, 0, 0), rgb_entry(255, 255, 255)};
     for (auto& channel : gamma)
         for (std::size_t i = 0; i < 256; ++i) channel[i] = std::uint8_t(i);

@@ -92,7 +92,9 @@ void blink_colors() {
     if (map.blinks.empty()) return;
     using Clock = std::chrono::steady_clock;
     static const auto begin = Clock::now();
-    const long retraces = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count() * 60 / 1000;
+    const long retraces =
+        std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count() * 60 /
+        1000;
     for (auto& [index, blink] : map.blinks) {
         const bool other = has_screen() && retraces / std::max<long>(blink.rate, 1) % 2 == 1;
         if (other != blink.shows_other) ++map.changes;
@@ -140,7 +142,8 @@ void poll(bool waits) {
     blink_colors();
     play_script(waits);
     if (program().current == nullptr) {
-        if (waits && all.queue.empty()) end_program("qread: no window is open and no event can come");
+        if (waits && all.queue.empty())
+            end_program("qread: no window is open and no event can come");
         return;
     }
     Window& w = *program().current;

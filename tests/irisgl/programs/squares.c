@@ -1,0 +1,40 @@
+/* Functions without prototypes, int for long, a menu, an event that GW_INPUT makes. */
+#include <gl.h>
+#include <device.h>
+
+int corner[] = {2, 2};
+long far_corner[2] = {5, 5};
+
+square(a, b)
+int *a;
+long *b;
+{
+    rectfi(a[0], a[1], (int) b[0], (int) b[1]);
+}
+
+main(argc, argv)
+int argc;
+char **argv;
+{
+    short value;
+    int width, height, c[3];
+
+    prefsize(8, 8);
+    winopen("squares");
+    doublebuffer();
+    RGBmode();
+    gconfig();
+    getsize(&width, &height);
+    if (width != 8 || height != 8) return 1;
+    qdevice(LEFTMOUSE);
+    if (qread(&value) != INPUTCHANGE || qread(&value) != LEFTMOUSE) return 2;
+    cpack(0x0);
+    clear();
+    c[0] = 10;
+    c[1] = 20;
+    c[2] = 30;
+    c3i(c);
+    square(corner, far_corner);
+    swapbuffers();
+    return 0;
+}

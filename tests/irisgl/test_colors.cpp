@@ -1,0 +1,92 @@
+#include "tests/irisgl/support.h"
+
+namespace gw::irisgl {
+
+using IrisGlColors = IrisGl;
+
+TEST_F(IrisGlColors, EveryIndexOfTwelveBitsIsKept) {
+    for (const int index : {0, 1, 7, 255, 256, 2748, 4095}) {
+        color(Colorindex(index));
+        clear();
+        EXPECT_EQ(index_at(3, 5), index);
+    }
+}
+
+TEST_F(IrisGlColors, TheMapIsAppliedWhenTheWindowIsShown) {
+    mapcolor(300, 10, 20, 30);
+    color(300);
+    clear();
+    EXPECT_EQ(shown(4, 4), 10u | 20u << 8 | 30u << 16);
+    mapcolor(300, 1, 2, 3);
+    EXPECT_EQ(shown(4, 4), 1u | 2u << 8 | 3u << 16);
+}
+
+TEST_F(IrisGlColors, TheWriteMaskKeepsEachBitOutsideIt) {
+    for (const int mask : {0, 1, 0x0A5, 0x0FF, 0xF00, 0x3C3, 0xFFF}) {
+        writemask(0xFFF);
+        color(0x5A6);
+        clear();
+        writemask(Colorindex(mask));
+        color(0xA3C);
+        rectfi(2, 2, 9, 9);
+        writemask(0xFFF);
+        EXPECT_EQ(index_at(5, 5), (0x5A6 & ~mask) | (0xA3C & mask)) << mask;
+        EXPECT_EQ(index_at(11, 5), 0x5A6);
+    }
+}
+
+TEST_F(IrisGlColors, ClearAndPixelsObeyTheWriteMask) {
+    color(0x0F0);
+    clear();
+    writemask(0x00F);
+    color(0xFFF);
+    clear();
+    EXPECT_EQ(index_at(1, 1), 0x0FF);
+    short pixel = 0x003;
+    rectwrite(2, 2, 2, 2, &pixel);
+    EXPECT_EQ(index_at(2, 2), 0x0F3);
+}
+
+// Linear between 100 and 400 over 16 pixels: at pixel x the edge values stand at -0.5 and 15.5.
+TEST_F(IrisGlColors, ShadedIndicesAreTheNearestOfEachPixel) {
+    color(0);
+    clear();
+    const float corners[4][2] = {{-0.5f, -0.5f}, {15.5f, -0.5f}, {15.5f, 15.5f}, {-0.5f, 15.5f}};
+    const Colorindex indices[4] = {100, 420, 420, 100};
+    splf2(4, const_cast<float(*)[2]>(corners), const_cast<Colorindex*>(indices));
+    for (int x = 0; x < 16; ++x) EXPECT_EQ(index_at(x, 7), 100 + 10 + 20 * x) << x;
+}
+
+TEST_F(IrisGlColors, RgbModeShowsColoursWithoutTheMap) {
+    RGBmode();
+    gconfig();
+    cpack(0xFF0A141E);
+    clear();
+    EXPECT_EQ(shown(8, 8), 0x0A141Eu);
+}
+
+TEST_F(IrisGlColors, WordsOutsideTheirRangeChangeNothing) {
+    shademodel(77);
+    EXPECT_EQ(getsm(), GOURAUD);
+    mapcolor(5000, 1, 2, 3);
+    popattributes();
+    setpattern(9);
+    EXPECT_EQ(getpattern(), 0);
+}
+
+TEST_F(IrisGlColors, OverlayPlanesCoverThePictureWhereTheyAreNotZero) {
+    color(RED);
+    clear();
+    drawmode(OVERDRAW);
+    mapcolor(1, 9, 8, 7);
+    color(0);
+    clear();
+    color(1);
+    rectfi(0, 0, 3, 3);
+    drawmode(NORMALDRAW);
+    EXPECT_EQ(shown(2, 2), 9u | 8u << 8 | 7u << 16);
+    EXPECT_EQ(shown(9, 9), 0xFFu);
+    EXPECT_EQ(index_at(2, 2), RED);
+}
+
+}  // namespace gw::irisgl

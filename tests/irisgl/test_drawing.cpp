@@ -1,0 +1,142 @@
+#include "tests/irisgl/support.h"
+
+namespace gw::irisgl {
+
+class IrisGlDrawing : public IrisGl {
+protected:
+    void SetUp() override {
+        IrisGl::SetUp();
+        color(0);
+        clear();
+        color(5);
+    }
+};
+
+TEST_F(IrisGlDrawing, FilledRectanglesOwnThePixelsOfAllTheirEdges) {
+    rectfi(3, 4, 7, 9);
+    EXPECT_EQ(count_of(5), 5 * 6);
+    EXPECT_EQ(index_at(3, 4), 5);
+    EXPECT_EQ(index_at(7, 9), 5);
+    EXPECT_EQ(index_at(8, 9), 0);
+}
+
+TEST_F(IrisGlDrawing, ARectangleOfNoWidthIsAColumnOfPixels) {
+    rectfi(6, 2, 6, 5);
+    EXPECT_EQ(count_of(5), 4);
+}
+
+TEST_F(IrisGlDrawing, ALineOwnsBothItsEnds) {
+    move2i(2, 3);
+    draw2i(9, 3);
+    EXPECT_EQ(count_of(5), 8);
+    EXPECT_EQ(index_at(2, 3), 5);
+    EXPECT_EQ(index_at(9, 3), 5);
+}
+
+TEST_F(IrisGlDrawing, ConcavePolygonsLeaveTheirNotchEmpty) {
+    concave(TRUE);
+    const float p[6][2] = {{0.5f, 0.5f}, {12.5f, 0.5f}, {12.5f, 4.5f},
+                           {4.5f, 4.5f}, {4.5f, 12.5f}, {0.5f, 12.5f}};
+    polf2(6, const_cast<float(*)[2]>(p));
+    EXPECT_EQ(count_of(5), 12 * 4 + 4 * 8);
+    EXPECT_EQ(index_at(8, 8), 0);
+}
+
+TEST_F(IrisGlDrawing, SwaptmeshTurnsTheFanOfAMesh) {
+    // The fan around (0, 0): vertices 1, 2, swap, 3 share vertex 1.
+    const float v[4][2] = {{0.5f, 0.5f}, {12.5f, 0.5f}, {12.5f, 12.5f}, {0.5f, 12.5f}};
+    bgntmesh();
+    v2f(const_cast<float*>(v[0]));
+    v2f(const_cast<float*>(v[1]));
+    swaptmesh();
+    v2f(const_cast<float*>(v[2]));
+    swaptmesh();
+    swaptmesh();
+    v2f(const_cast<float*>(v[3]));
+    endtmesh();
+    EXPECT_EQ(index_at(8, 4), 5);
+}
+
+TEST_F(IrisGlDrawing, APatternOfSixteenBitsRepeats) {
+    unsigned short rows[16];
+    for (auto& row : rows) row = 0x8000;
+    defpattern(1, 16, rows);
+    setpattern(1);
+    clear();
+    EXPECT_EQ(count_of(5), 16);
+    EXPECT_EQ(index_at(0, 9), 5);
+}
+
+TEST_F(IrisGlDrawing, PopmatrixUnderAnEmptyStackIsIgnored) {
+    float before[4][4], after[4][4];
+    getmatrix(before);
+    popmatrix();
+    popviewport();
+    getmatrix(after);
+    for (int i = 0; i < 16; ++i) EXPECT_EQ(before[i / 4][i % 4], after[i / 4][i % 4]);
+    for (int i = 0; i < 100; ++i) pushmatrix();
+}
+
+TEST_F(IrisGlDrawing, MatricesAreRowsThatMultiplyFromTheLeft) {
+    float m[4][4];
+    const float one[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    loadmatrix(const_cast<float(*)[4]>(one));
+    translate(3, 4, 5);
+    rotate(900, 'z');
+    scale(2, 1, 1);
+    getmatrix(m);
+    EXPECT_EQ(m[0][1], 2);  // x goes to y, twice as long
+    EXPECT_EQ(m[1][0], -1);
+    EXPECT_EQ(m[3][0], 3);
+    EXPECT_EQ(m[3][1], 4);
+}
+
+TEST_F(IrisGlDrawing, LookatPutsThePointOnTheAxisInFrontOfTheEye) {
+    mmode(MVIEWING);
+    lookat(1, 2, 3, 4, 6, 15, 0);
+    float m[4][4];
+    getmatrix(m);
+    float eye[3];
+    for (int i = 0; i < 3; ++i) eye[i] = 4 * m[0][i] + 6 * m[1][i] + 15 * m[2][i] + m[3][i];
+    EXPECT_NEAR(eye[0], 0, 1e-5);
+    EXPECT_NEAR(eye[1], 0, 1e-5);
+    EXPECT_NEAR(eye[2], -13, 1e-5);
+}
+
+TEST_F(IrisGlDrawing, DepthsAreSignedAndTheNearerWins) {
+    zbuffer(TRUE);
+    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -10, 10);
+    zclear();
+    const float near_ones[4][3] = {{0, 0, 1}, {12, 0, 1}, {12, 12, 1}, {0, 12, 1}};
+    const float far_ones[4][3] = {{0, 0, -1}, {12, 0, -1}, {12, 12, -1}, {0, 12, -1}};
+    polf(4, const_cast<float(*)[3]>(near_ones));
+    color(6);
+    polf(4, const_cast<float(*)[3]>(far_ones));
+    EXPECT_EQ(index_at(5, 5), 5);
+    czclear(0, -0x800000);
+    polf(4, const_cast<float(*)[3]>(near_ones));
+    EXPECT_EQ(index_at(5, 5), 0);
+}
+
+TEST_F(IrisGlDrawing, CharactersMoveTheCharacterPosition) {
+    short x = 0, y = 0;
+    cmov2i(1, 2);
+    charstr(const_cast<char*>("I"));
+    getcpos(&x, &y);
+    EXPECT_EQ(x, 1 + strwidth(const_cast<char*>("I")));
+    EXPECT_EQ(y, 2);
+    EXPECT_GT(count_of(5), 10);
+}
+
+TEST_F(IrisGlDrawing, ACubicCurveOfTheBezierBasisMeetsItsEnds) {
+    const float bezier[4][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 3, 0, 0}, {1, 0, 0, 0}};
+    const float p[4][3] = {{1, 1, 0}, {1, 13, 0}, {13, 13, 0}, {13, 1, 0}};
+    defbasis(1, const_cast<float(*)[4]>(bezier));
+    curvebasis(1);
+    crv(const_cast<float(*)[3]>(p));
+    EXPECT_EQ(index_at(1, 1), 5);
+    EXPECT_EQ(index_at(13, 1), 5);
+    EXPECT_EQ(index_at(7, 10), 5);  // t = 1/2: (7, 10)
+}
+
+}  // namespace gw::irisgl
