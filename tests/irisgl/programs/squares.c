@@ -1,3 +1,5 @@
+/* Declarations as in 1990. */
+/* clang-format off */
 /* Functions without prototypes, int for long, a menu, an event that GW_INPUT makes. */
 #include <gl.h>
 #include <device.h>
