@@ -90,7 +90,9 @@ scene::Scene scene_for(const Request& request, SceneInput input) {
 Drawing make_drawing(const Request& request, const Profile& profile, SceneInput input) {
     check_samples(request, profile);
     std::optional<multipass::PassList> passes = std::move(input.passes);
+    std::optional<scene::Film> film = std::move(input.film);
     Drawing drawing{request, profile, scene_for(request, std::move(input))};
+    drawing.film = std::move(film);
     if (drawing.renderer().pass_owner == multipass::Renderer::Multipass)
         drawing.pass_list = std::move(passes);
     return drawing;

@@ -63,7 +63,7 @@ render::SceneInput read_input(const PictureOptions& options, Session& session) {
     if (!options.quiet) print_warnings(lines);
     for (const std::filesystem::path& read : file.files) session.inputs.add(read);
     add_textures(session.inputs, file.scene);
-    return {std::move(file.scene), std::move(passes), file.origin};
+    return {std::move(file.scene), std::move(passes), file.origin, std::move(file.film)};
 }
 
 scene::Scene ready_scene(const PictureOptions& options, render::SceneInput input) {

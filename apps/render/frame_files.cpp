@@ -12,6 +12,7 @@
 #include "inspect/replay/forwarding_machine.h"
 #include "scene/draw/draw_commands.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cctype>
@@ -60,6 +61,13 @@ void put_planes(const Drawing& drawing, Machine& machine, const scene::View& vie
 }
 
 }  // namespace
+
+std::filesystem::path numbered(const std::filesystem::path& file, int number) {
+    std::filesystem::path name = file.stem();
+    name += fmt::format("_{:03}", number);
+    name += file.extension();
+    return file.parent_path() / name;
+}
 
 void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session,
                 bool quiet) {

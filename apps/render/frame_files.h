@@ -17,6 +17,9 @@ struct FrameFiles {
     image::Tone tone;  ///< of the picture and the components
 };
 
+/// Of a series: "rings.png" becomes "rings_007.png".
+std::filesystem::path numbered(const std::filesystem::path& file, int number);
+
 /// Warns of an empty picture unless quiet. Throws Error; then no new file exists.
 void draw_frame(const Drawing& drawing, const FrameFiles& files, const Session& session,
                 bool quiet);

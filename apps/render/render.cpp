@@ -3,6 +3,7 @@
 #include "apps/command/peak_memory.h"
 #include "apps/command/terminal.h"
 #include "apps/picture/picture_options.h"
+#include "apps/render/film.h"
 #include "apps/render/frame_files.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
@@ -15,14 +16,6 @@
 
 namespace gw::apps {
 namespace {
-
-// "rings.png" becomes "rings_007.png".
-std::filesystem::path numbered(const std::filesystem::path& file, int number) {
-    std::filesystem::path name = file.stem();
-    name += fmt::format("_{:03}", number);
-    name += file.extension();
-    return file.parent_path() / name;
-}
 
 /// Number first .. last of `pictures`, as IMAGE_001 ...; each is finished before the next is begun.
 /// Throws Error.
@@ -48,12 +41,16 @@ void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
     }
 }
 
+constexpr int most_film_pictures = 99999;
+
 struct RenderOptions {
     PictureOptions picture;
     FrameFiles files;
     int turntable = 0;     ///< pictures; 0: none
     std::string frames{};  ///< "A-B": only these pictures of the turntable
-    bool memory = false;   ///< prints peak memory
+    std::string film{};    ///< "A-B": these pictures of the film; empty: none
+    FilmOptions film_options{};
+    bool memory = false;  ///< prints peak memory
 };
 
 void add_tone_options(CLI::App& command, image::Tone& tone) {
@@ -75,6 +72,39 @@ void add_tone_options(CLI::App& command, image::Tone& tone) {
         ->type_name("STOPS");
 }
 
+void add_film_options(CLI::App& command, RenderOptions& options) {
+    FilmOptions& film = options.film_options;
+    command
+        .add_option("--film", options.film,
+                    "Pictures A to B of a scene that changes with time, as IMAGE_001 ...")
+        ->type_name("A-B");
+    const auto add_number = [&](const char* name, std::optional<double>& field, double low,
+                                double high, const char* about) {
+        command
+            .add_option_function<std::string>(
+                name,
+                [&field, name, low, high](const std::string& word) {
+                    field = number_from(name, word, low, high);
+                },
+                about)
+            ->type_name("N");
+    };
+    add_number("--rate", film.rate, 0.001, 1000,
+               "Pictures a second of the film (default: the scene's, 24)");
+    add_number("--shutter", film.shutter, 0, 1,
+               "How long the shutter is open, of the time of a picture (default: the scene's, 0)");
+    command
+        .add_option_function<std::string>(
+            "--instants",
+            [&film](const std::string& word) {
+                film.instants = whole_number_from("--instants", word, 1, 256);
+            },
+            "Pictures superposed while the shutter is open (default: the scene's, 8)")
+        ->type_name("N");
+    command.add_flag("--continue", film.go_on,
+                     "Begin the film at its first picture whose file is missing");
+}
+
 void add_options(CLI::App& command, RenderOptions& options) {
     add_picture_options(command, options.picture);
     command
@@ -94,6 +124,7 @@ void add_options(CLI::App& command, RenderOptions& options) {
         .add_option("--frames", options.frames,
                     "Only pictures A to B of the turntable, so that several processes can share it")
         ->type_name("A-B");
+    add_film_options(command, options);
     command
         .add_option("--components", options.files.components,
                     "Also write a picture of each component, and their sum")
@@ -133,18 +164,29 @@ std::pair<int, int> frames_of(const RenderOptions& options) {
     return range_from("--frames", options.frames, 1, options.turntable);
 }
 
+void check_film(const RenderOptions& options) {
+    const FilmOptions& film = options.film_options;
+    const bool needs_film = film.rate || film.shutter || film.instants || film.go_on;
+    if (options.film.empty() && needs_film)
+        throw UsageError("--rate, --shutter, --instants or --continue without --film; expected it");
+    if (options.film.empty()) return;
+    if (options.turntable > 0) throw UsageError("--film with --turntable; expected one of them");
+    range_from("--film", options.film, 1, most_film_pictures);
+}
+
 // Wrong words are a UsageError. Finds files that cannot be written before long work.
 void check(const RenderOptions& options) {
     if (!options.frames.empty() && options.turntable == 0)
         throw UsageError("--frames without --turntable; expected both, or neither for one picture");
     if (options.turntable > 0) frames_of(options);
+    check_film(options);
     const FrameFiles& files = options.files;
     check_picture_target(files.picture);
     const bool more_files = !files.components.empty() || !files.planes.empty() ||
                             !files.manifest.empty() || !files.counters.empty();
-    if (options.turntable > 0 && more_files) {
+    if ((options.turntable > 0 || !options.film.empty()) && more_files) {
         throw UsageError(
-            "--turntable cannot go with --components, --planes, --manifest or --counters; expected "
+            "--turntable and --film cannot go with --components, --planes, --manifest or --counters; expected "
             "one picture for these");
     }
     check_different(files);
@@ -163,7 +205,14 @@ int render(const RenderOptions& options, Session& session) {
     for (const auto& file : {options.files.picture, options.files.manifest, options.files.counters})
         session.inputs.check(file);
     progress.at("drawing");
-    if (options.turntable > 0) {
+    if (!options.film.empty()) {
+        FilmOptions film = options.film_options;
+        film.first_last = range_from("--film", options.film, 1, most_film_pictures);
+        if (!drawing.film)
+            throw Error(options.picture.scene.string(), 0,
+                        "is no film; expected a scene with [[track]], or glTF with animations");
+        draw_film(drawing, options.files, film, progress, session);
+    } else if (options.turntable > 0) {
         draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress,
                        session);
     } else {

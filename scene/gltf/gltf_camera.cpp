@@ -57,11 +57,17 @@ double at_point(const GltfLight& light, const dvec3& p) {
 
 }  // namespace
 
-Camera read_gltf_camera(const JsonValue& table, const dmat4& world_from_node) {
-    Camera camera;
+void place_camera(Camera& camera, const dmat4& world_from_node) {
     camera.eye = dvec3(world_from_node[3]);
     camera.at = camera.eye - axis_of(world_from_node, 2);
     camera.up = axis_of(world_from_node, 1);
+}
+
+vec3 light_direction(const dmat4& world_from_node) { return vec3(-axis_of(world_from_node, 2)); }
+
+Camera read_gltf_camera(const JsonValue& table, const dmat4& world_from_node) {
+    Camera camera;
+    place_camera(camera, world_from_node);
     const JsonValue type = table.at("type");
     if (type.text() != "perspective" && type.text() != "orthographic")
         type.fail_expected("perspective or orthographic");
@@ -84,7 +90,7 @@ GltfLight read_gltf_light(const GltfDocument& document, const JsonValue& table,
     Light& light = out.light;
     light.name = name;
     light.kind = kind_of(table.at("type"));
-    light.direction = vec3(-axis_of(world_from_node, 2));
+    light.direction = light_direction(world_from_node);
     out.position = dvec3(world_from_node[3]);
     dvec3 color(1);
     if (const auto value = table.find("color"))

@@ -9,6 +9,11 @@ namespace gw::scene {
 /// The camera of a value of `cameras`, placed by its node.
 Camera read_gltf_camera(const JsonValue& camera, const dmat4& world_from_node);
 
+/// Moves a camera to its node.
+void place_camera(Camera& camera, const dmat4& world_from_node);
+/// The way in which a node's light travels.
+vec3 light_direction(const dmat4& world_from_node);
+
 /// A light whose place is in double, until the scene's origin is known.
 struct GltfLight {
     Light light;  ///< without position; Id is linear, an illuminance / pi

@@ -18,11 +18,8 @@ Vector numbers_of(const std::optional<JsonValue>& value, Vector v, Range range =
     return v;
 }
 
-/// Of a quaternion x, y, z, w of any length but 0.
-dmat4 turned(dvec4 q, const JsonValue& value) {
-    const double size = std::sqrt(dot4(q, q));
-    if (size == 0) value.fail("is 0; expected a quaternion of length 1");
-    q /= size;
+/// Of a quaternion x, y, z, w of length 1.
+dmat4 turned(const dvec4& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     dmat4 m(1);
     m[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0};
@@ -69,24 +66,43 @@ std::vector<std::size_t> roots_of(const GltfDocument& document) {
     return roots;
 }
 
+GltfPlace place_of(const JsonValue& node) {
+    GltfPlace place;
+    const auto matrix = node.find("matrix"), rotation = node.find("rotation");
+    if (matrix) place.matrix = matrix_of(*matrix);
+    place.scale = numbers_of(node.find("scale"), dvec3(1));
+    place.translation = numbers_of(node.find("translation"), dvec3(0));
+    if (!rotation) return place;
+    const dvec4 q = numbers_of(rotation, dvec4(0, 0, 0, 1), {-2, 2});
+    const double size = std::sqrt(dot4(q, q));
+    if (size == 0) rotation->fail("is 0; expected a quaternion of length 1");
+    place.rotation = q / size;
+    return place;
+}
+
 }  // namespace
 
-dmat4 local_matrix(const JsonValue& node) {
-    const auto matrix = node.find("matrix"), rotation = node.find("rotation");
-    if (matrix) return matrix_of(*matrix);
-    dmat4 m = scaling(numbers_of(node.find("scale"), dvec3(1)));
-    if (rotation) m = turned(numbers_of(rotation, dvec4(0, 0, 0, 1), {-2, 2}), *rotation) * m;
-    return translation(numbers_of(node.find("translation"), dvec3(0))) * m;
+dmat4 GltfPlace::parent_from_node() const {
+    return matrix ? *matrix
+                  : gw::scene::translation(translation) * (turned(rotation) * scaling(scale));
+}
+
+void place_in_world(std::vector<GltfNode>& nodes) {
+    for (GltfNode& node : nodes) {
+        const dmat4 own = node.place.parent_from_node();
+        node.world_from_node =
+            node.parent == GltfNode::no_parent ? own : nodes[node.parent].world_from_node * own;
+    }
 }
 
 std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
     std::vector<GltfNode> placed, waiting;
     std::vector<bool> is_placed(document.count("nodes"), false);
-    const auto wait = [&](const std::vector<std::size_t>& nodes, const dmat4& world) {
+    const auto wait = [&](const std::vector<std::size_t>& nodes, std::size_t parent) {
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-            waiting.push_back({*node, world});
+            waiting.push_back({.index = *node, .parent = parent});
     };
-    wait(roots_of(document), dmat4(1));
+    wait(roots_of(document), GltfNode::no_parent);
     while (!waiting.empty()) {
         GltfNode node = waiting.back();
         waiting.pop_back();
@@ -94,18 +110,21 @@ std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
         if (is_placed[node.index])
             json.fail("has two parents, or is in a circle; expected a tree of nodes");
         is_placed[node.index] = true;
-        node.world_from_node = node.world_from_node * local_matrix(json);
-        for (int i = 0; i < 16; ++i)
-            if (!placeable.contains(node.world_from_node[i / 4][i % 4]))
-                json.fail("lies beyond 1e18, its parents included; expected less");
+        node.place = place_of(json);
         if (const auto children = json.find("children")) {
             std::vector<std::size_t> indices;
             for (std::size_t k = 0; k < children->size(); ++k)
                 indices.push_back((*children)[k].whole(0, is_placed.size() - 1));
-            wait(indices, node.world_from_node);
+            wait(indices, placed.size());
         }
         placed.push_back(node);
     }
+    place_in_world(placed);
+    for (const GltfNode& node : placed)
+        for (int i = 0; i < 16; ++i)
+            if (!placeable.contains(node.world_from_node[i / 4][i % 4]))
+                document.root().at("nodes")[node.index].fail(
+                    "lies beyond 1e18, its parents included; expected less");
     return placed;
 }
 

@@ -5,12 +5,26 @@
 #include "scene/gltf/gltf_document.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <vector>
 
 namespace gw::scene {
 
+/// A node's place in its parent.
+struct GltfPlace {
+    std::optional<dmat4> matrix;  ///< instead of the others
+    dvec3 translation{0};
+    dvec4 rotation{0, 0, 0, 1};  ///< x, y, z, w, of length 1
+    dvec3 scale{1};
+
+    dmat4 parent_from_node() const;
+};
+
 struct GltfNode {
-    std::size_t index = 0;  ///< into `nodes`
+    static constexpr std::size_t no_parent = std::size_t(-1);
+    std::size_t index = 0;           ///< into `nodes`
+    std::size_t parent = no_parent;  ///< into the list that placed_nodes returns
+    GltfPlace place;
     dmat4 world_from_node{1};
 };
 
@@ -18,7 +32,7 @@ struct GltfNode {
 /// circles and for nodes with two parents.
 std::vector<GltfNode> placed_nodes(const GltfDocument& document);
 
-/// Of a matrix, or of translation, rotation and scale.
-dmat4 local_matrix(const JsonValue& node);
+/// Gives all nodes their places in the world by their places in their parents.
+void place_in_world(std::vector<GltfNode>& nodes);
 
 }  // namespace gw::scene

@@ -5,6 +5,7 @@
 #include "scene/geometry/far.h"
 #include "scene/gltf/accessors.h"
 #include "scene/gltf/gltf_camera.h"
+#include "scene/gltf/gltf_film.h"
 #include "scene/gltf/gltf_material.h"
 #include "scene/gltf/gltf_mesh.h"
 #include "scene/gltf/gltf_nodes.h"
@@ -58,15 +59,17 @@ public:
     GltfFile read() {
         check_extensions(document_);
         builder_.scene.name = document_.path().stem().string();
-        for (const GltfNode& node : placed_nodes(document_)) add_node(node);
-        warn_left_out();
+        const std::vector<GltfNode> nodes = placed_nodes(document_);
+        for (place_ = 0; place_ < nodes.size(); ++place_) add_node(nodes[place_]);
         Scene& scene = builder_.scene;
         if (scene.objects.empty())
             throw Error(document_.file(), 0,
                         "has nothing to draw; expected a scene with a node that has a mesh");
         add_lights();
         warn_invisible(scene, document_.file(), document_.warnings());
-        return {std::move(scene), place()};
+        const dvec3 origin = place();
+        std::optional<Film> film = read_gltf_film(document_, nodes, holders_, origin);
+        return {std::move(scene), origin, std::move(film)};
     }
 
 private:
@@ -107,6 +110,7 @@ private:
             if (builder_.scene.objects.size() == most_gltf_objects)
                 json.fail("is one more than " + std::to_string(most_gltf_objects) +
                           " objects; expected fewer");
+            holders_.objects.push_back(place_);
             builder_.scene.objects.push_back({.name = name,
                                               .mesh = part.mesh,
                                               .material = part.material,
@@ -177,6 +181,7 @@ private:
             return document_.warn("cameras", "has several cameras; the first one is used, and " +
                                                  printable(name_of(json)) + " is left out");
         builder_.scene.camera = camera;
+        holders_.camera = place_;
     }
 
     void add_light(const GltfNode& node, const JsonValue& json, const JsonValue& index) {
@@ -184,6 +189,7 @@ private:
             document_.root().at("extensions").at("KHR_lights_punctual").at("lights");
         if (lights.size() == 0) index.fail_expected("an index into lights, which are none");
         const JsonValue light = lights[index.whole(0, lights.size() - 1)];
+        holders_.lights.push_back(place_);
         lights_.push_back(read_gltf_light(document_, light, node.world_from_node, name_of(json)));
     }
 
@@ -211,11 +217,6 @@ private:
         return origin;
     }
 
-    void warn_left_out() const {
-        if (document_.count("animations") > 0)
-            document_.warn("animations", "its animations are left out; it is drawn at rest");
-    }
-
     GltfDocument document_;
     SceneBuilder builder_;
     std::map<std::string, std::vector<Part>> parts_;
@@ -223,6 +224,8 @@ private:
     std::map<std::pair<std::string, std::array<float, 3>>, const GltfMaterial*> materials_;
     std::vector<GltfLight> lights_;
     std::size_t numbers_ = 0;
+    std::size_t place_ = 0;  ///< of the node that is being read
+    GltfHolders holders_;
 };
 
 }  // namespace

@@ -2,16 +2,19 @@
 // read textures.
 #pragma once
 
+#include "scene/film.h"
 #include "scene/scene.h"
 #include "scene/text/warnings.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace gw::scene {
 
 struct GltfFile {
     Scene scene;
     dvec3 origin{0};  ///< the scene's coordinates are the file's minus this (geometry/far.h)
+    std::optional<Film> film;
 };
 
 /// Throws Error "FILE: PLACE is WHAT; expected WHAT", where PLACE is a path in its JSON.

@@ -34,7 +34,8 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
 SceneFile read_bare_gltf(const std::filesystem::path& path) {
     Warnings warnings;
     GltfFile file = read_gltf(path, warnings);
-    return {std::move(file.scene), warnings.lines(), {}, warnings.files(), file.origin};
+    return {std::move(file.scene), warnings.lines(), {},
+            warnings.files(),      file.origin,      std::move(file.film)};
 }
 
 struct Format {

@@ -2,10 +2,12 @@
 // (image::load_textures does) and does not fit a camera.
 #pragma once
 
+#include "scene/film.h"
 #include "scene/scene.h"
 #include "scene/toml/toml_value.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,7 @@ struct SceneFile {
     /// The scene's coordinates are the files' minus this: 0 unless these lie far from 0, as map
     /// coordinates do (scene/geometry/far.h).
     dvec3 origin{0};
+    std::optional<Film> film{};  ///< of a scene that changes with time
 };
 
 /// Reads a TOML scene (.toml), a bare Wavefront OBJ (.obj; no lights, no camera) or glTF 2.0 (.gltf,

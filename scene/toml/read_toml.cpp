@@ -2,6 +2,7 @@
 #include "scene/obj/read_mtl.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/toml_film.h"
 #include "scene/toml/toml_objects.h"
 #include "scene/toml/toml_view.h"
 
@@ -70,8 +71,8 @@ SceneFile read_toml(const std::filesystem::path& path) {
     Scene& scene = builder.scene;
     scene.name = path.stem().string();
     Warnings warnings;
-    std::vector<const TomlValue*> lights, objects, passes;
-    const TomlValue *materials = nullptr, *mtllib = nullptr;
+    std::vector<const TomlValue*> lights, objects, passes, tracks;
+    const TomlValue *materials = nullptr, *mtllib = nullptr, *film = nullptr;
 
     // Sections may come in any order, so references are read last.
     read_table(file,
@@ -87,6 +88,8 @@ SceneFile read_toml(const std::filesystem::path& path) {
                    {"light", [&](const TomlValue& value) { lights = tables_in(value); }},
                    {"object", [&](const TomlValue& value) { objects = tables_in(value); }},
                    {"pass", [&](const TomlValue& value) { passes = tables_in(value); }},
+                   {"film", [&](const TomlValue& value) { film = &value; }},
+                   {"track", [&](const TomlValue& value) { tracks = tables_in(value); }},
                });
     Library library(warnings);
     if (materials) library.add_table(*materials);
@@ -111,7 +114,9 @@ SceneFile read_toml(const std::filesystem::path& path) {
     }
     warn_invisible(scene, path.string(), warnings);
     warnings.add_file(path);
-    SceneFile result{std::move(scene), warnings.lines(), {}, warnings.files(), origin};
+    std::optional<Film> moving = read_film(film, tracks, scene, origin);
+    SceneFile result{std::move(scene), warnings.lines(), {},
+                     warnings.files(), origin,           std::move(moving)};
     for (const TomlValue* pass : passes) result.passes.push_back(*pass);
     check_passes(result.passes, reader.names());
     return result;

@@ -1,0 +1,92 @@
+#include "apps/render/film.h"
+
+#include "apps/command/terminal.h"
+#include "gw/error.h"
+#include "image/output/output_set.h"
+#include "image/write.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace gw::apps {
+namespace {
+
+/// The mean of pictures, to nearest, as an accumulation buffer with bits for all of them has it.
+class Exposure {
+public:
+    void add(const std::vector<Rgba>& color) {
+        sums_.resize(color.size());
+        for (std::size_t i = 0; i < color.size(); ++i)
+            for (std::size_t k = 0; k < 4; ++k) sums_[i][k] += color[i][k];
+        ++count_;
+    }
+    std::vector<Rgba> mean() const {
+        std::vector<Rgba> color(sums_.size());
+        for (std::size_t i = 0; i < color.size(); ++i)
+            for (std::size_t k = 0; k < 4; ++k)
+                color[i][k] = std::uint16_t((2 * sums_[i][k] + count_) / (2 * count_));
+        return color;
+    }
+
+private:
+    std::vector<std::array<std::uint32_t, 4>> sums_;
+    std::uint32_t count_ = 0;
+};
+
+std::vector<Rgba> exposed(Drawing& drawing, const scene::Film& film, int number, Machine& machine) {
+    Exposure exposure;
+    for (const double time : film.instants_of(number)) {
+        film.pose(drawing.scene, time);
+        render::draw(drawing, drawing.view(), machine);
+        exposure.add(machine.planes().color);
+    }
+    return exposure.mean();
+}
+
+/// ", 40 s left", from the second picture on.
+std::string left_text(std::chrono::steady_clock::time_point begin, int drawn, int left) {
+    if (drawn == 0) return {};
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    return fmt::format(", {:.0f} s left", std::ceil(spent.count() / drawn * left));
+}
+
+int first_missing(const FrameFiles& files, std::pair<int, int> first_last) {
+    int number = first_last.first;
+    while (number <= first_last.second && std::filesystem::exists(numbered(files.picture, number)))
+        ++number;
+    return number;
+}
+
+}  // namespace
+
+void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& options,
+               Progress& progress, const Session& session) {
+    scene::Film film = *drawing.film;
+    film.rate = options.rate.value_or(film.rate);
+    film.shutter = options.shutter.value_or(film.shutter);
+    film.instants = options.instants.value_or(film.instants);
+    const Size size = drawing.request.size;
+    const int last = options.first_last.second;
+    for (int number = options.first_last.first; number <= last; ++number)
+        session.inputs.check(numbered(files.picture, number));
+    const int first =
+        options.go_on ? first_missing(files, options.first_last) : options.first_last.first;
+    const auto machine = make_machine(drawing.request, drawing.profile, session);
+    const auto begin = std::chrono::steady_clock::now();
+    for (int number = first; number <= last; ++number) {
+        progress.at(fmt::format("drawing picture {} of {}{}", number, last,
+                                left_text(begin, number - first, last - number + 1)));
+        const image::Picture picture =
+            image::picture_of(exposed(drawing, film, number, *machine), size.width, size.height,
+                              drawing.profile.color_bits);
+        image::OutputSet output(session.inputs);
+        image::put_picture(output.add(numbered(files.picture, number)),
+                           image::toned(picture, files.tone));
+        output.commit();
+    }
+}
+
+}  // namespace gw::apps

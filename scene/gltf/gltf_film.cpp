@@ -1,0 +1,179 @@
+#include "scene/gltf/gltf_film.h"
+
+#include "gw/base/elementary.h"
+#include "scene/gltf/accessors.h"
+#include "scene/gltf/gltf_camera.h"
+#include "scene/gltf/read_gltf.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+struct Channel {
+    std::size_t node = 0;  ///< into the list of placed_nodes
+    enum Path { Translation, Rotation, Scale } path = Translation;
+    Keys keys;
+};
+
+Keys read_keys(const GltfDocument& document, const JsonValue& sampler, std::size_t width) {
+    Keys keys{.width = width};
+    const JsonValue input = sampler.at("input"), output = sampler.at("output");
+    for (const float time : read_floats(document, input, {"SCALAR"}).numbers) {
+        if (time < 0 || (!keys.times.empty() && double(time) <= keys.times.back()))
+            input.fail("has no increasing times from 0; expected such");
+        keys.times.push_back(double(time));
+    }
+    const Elements<float> values = read_floats(document, output, {width == 4 ? "VEC4" : "VEC3"});
+    const auto word = sampler.find("interpolation");
+    const std::string kind = word ? word->text() : "LINEAR";
+    if (kind == "STEP") keys.interpolation = Interpolation::Step;
+    if (kind == "CUBICSPLINE") keys.interpolation = Interpolation::Smooth;
+    if (kind != "STEP" && kind != "LINEAR" && kind != "CUBICSPLINE")
+        word->fail_expected("STEP, LINEAR or CUBICSPLINE");
+    const bool cubic = keys.interpolation == Interpolation::Smooth;
+    const std::size_t expected = keys.times.size() * (cubic ? 3 : 1);
+    if (values.count() != expected)
+        output.fail("has " + std::to_string(values.count()) + " elements; expected " +
+                    std::to_string(expected) + " for " + std::to_string(keys.times.size()) +
+                    " times");
+    std::vector<double>* const lists[] = {&keys.slopes_in, &keys.values, &keys.slopes_out};
+    for (std::size_t i = 0; i < values.count(); ++i)
+        for (std::size_t k = 0; k < width; ++k)
+            (cubic ? lists[i % 3] : &keys.values)->push_back(double(values[i][k]));
+    return keys;
+}
+
+/// None for what is left out, with a warning.
+std::optional<Channel> read_channel(const GltfDocument& document, const JsonValue& animation,
+                                    const JsonValue& json, const std::vector<std::size_t>& placed) {
+    const JsonValue target = json.at("target"), path = target.at("path");
+    const auto node = target.find("node");
+    constexpr std::array paths{"translation", "rotation", "scale"};
+    const auto found = std::ranges::find(paths, path.text());
+    if (!node || found == paths.end()) {
+        document.warn("channel", "an animation of " + path.text() + " is left out");
+        return std::nullopt;
+    }
+    const JsonValue owner = document.element("nodes", *node);
+    if (owner.find("matrix"))
+        owner.fail("has a matrix and is animated; expected translation, rotation and scale");
+    const JsonValue samplers = animation.at("samplers"), index = json.at("sampler");
+    if (samplers.size() == 0) index.fail_expected("an index into samplers, which are none");
+    Channel channel;
+    channel.path = Channel::Path(found - paths.begin());
+    channel.node = placed[node->whole(0, placed.size() - 1)];
+    channel.keys = read_keys(document, samplers[index.whole(0, samplers.size() - 1)],
+                             channel.path == Channel::Rotation ? 4 : 3);
+    if (channel.node == GltfNode::no_parent) return std::nullopt;  // not in the scene
+    return channel;
+}
+
+/// [GLTF2 C.4]: along the shorter arc.
+dvec4 slerp(const dvec4& a, dvec4 b, double t) {
+    double cosine = dot4(a, b);
+    if (cosine < 0) b = -b;
+    cosine = std::min(std::abs(cosine), 1.0);
+    const double angle = acos(cosine), s = sin(angle);
+    if (s < 1e-6) return a + (b - a) * t;
+    return a * (sin((1 - t) * angle) / s) + b * (sin(t * angle) / s);
+}
+
+dvec4 quaternion(const double* v) { return {v[0], v[1], v[2], v[3]}; }
+
+dvec4 rotation_at(const Keys& keys, double time) {
+    const auto after = std::size_t(std::ranges::upper_bound(keys.times, time) - keys.times.begin());
+    dvec4 q = quaternion(keys.at(time).data());
+    if (keys.interpolation == Interpolation::Linear && after > 0 && after < keys.times.size()) {
+        const double begin = keys.times[after - 1], end = keys.times[after];
+        q = slerp(quaternion(&keys.values[4 * (after - 1)]), quaternion(&keys.values[4 * after]),
+                  (time - begin) / (end - begin));
+    }
+    const double size = std::sqrt(dot4(q, q));
+    return size > 0 ? q / size : dvec4(0, 0, 0, 1);
+}
+
+void set(GltfPlace& place, const Channel& channel, double time) {
+    if (channel.path == Channel::Rotation) {
+        place.rotation = rotation_at(channel.keys, time);
+        return;
+    }
+    const std::vector<double> v = channel.keys.at(time);
+    (channel.path == Channel::Scale ? place.scale : place.translation) = {v[0], v[1], v[2]};
+}
+
+/// A scale of 0 hides a node; no matrix may be singular, so it is almost 0.
+dmat4 visible(dmat4 m) {
+    const dvec3 x(m[0]), y(m[1]), z(m[2]);
+    if (dot3(x, cross3(y, z)) == 0)
+        m = dmat4(1e-9, 0, 0, 0, 0, 1e-9, 0, 0, 0, 0, 1e-9, 0, m[3].x, m[3].y, m[3].z, 1);
+    return m;
+}
+
+class NodePosing {
+public:
+    NodePosing(std::vector<GltfNode> nodes, GltfHolders holders, std::vector<Channel> channels,
+               const dvec3& origin)
+        : nodes_(std::move(nodes)),
+          holders_(std::move(holders)),
+          channels_(std::move(channels)),
+          origin_(origin) {}
+
+    void operator()(Scene& scene, double time) const {
+        std::vector<GltfNode> nodes = nodes_;
+        for (const Channel& channel : channels_) set(nodes[channel.node].place, channel, time);
+        place_in_world(nodes);
+        for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(origin_, 0);
+        for (std::size_t i = 0; i < holders_.objects.size() && i < scene.objects.size(); ++i)
+            scene.objects[i].world_from_object =
+                visible(nodes[holders_.objects[i]].world_from_node);
+        for (std::size_t i = 0; i < holders_.lights.size() && i < scene.lights.size(); ++i) {
+            const dmat4& world = nodes[holders_.lights[i]].world_from_node;
+            scene.lights[i].position = vec3(dvec3(world[3]));
+            scene.lights[i].direction = light_direction(world);
+        }
+        if (holders_.camera && scene.camera)
+            place_camera(*scene.camera, nodes[*holders_.camera].world_from_node);
+    }
+
+private:
+    std::vector<GltfNode> nodes_;
+    GltfHolders holders_;
+    std::vector<Channel> channels_;
+    dvec3 origin_;
+};
+
+}  // namespace
+
+std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vector<GltfNode>& nodes,
+                                   const GltfHolders& holders, const dvec3& origin) {
+    const std::size_t count = document.count("animations");
+    if (count == 0) return std::nullopt;
+    if (count > 1)
+        document.warn("animations",
+                      "has " + std::to_string(count) + " animations; animations[0] is played");
+    std::vector<std::size_t> placed(document.count("nodes"), GltfNode::no_parent);
+    for (std::size_t i = 0; i < nodes.size(); ++i) placed[nodes[i].index] = i;
+    const JsonValue animation = document.root().at("animations")[0];
+    const JsonValue list = animation.at("channels");
+    Film film;
+    std::vector<Channel> channels;
+    std::size_t numbers = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        auto channel = read_channel(document, animation, list[i], placed);
+        if (!channel) continue;
+        film.seconds = std::max(film.seconds, channel->keys.times.back());
+        numbers += channel->keys.times.size() + 3 * channel->keys.values.size();
+        if (numbers > most_gltf_numbers)
+            list[i].fail("and those before it have more than " + std::to_string(most_gltf_numbers) +
+                         " numbers; expected fewer");
+        channels.push_back(std::move(*channel));
+    }
+    if (channels.empty()) return std::nullopt;
+    film.pose = NodePosing(nodes, holders, std::move(channels), origin);
+    return film;
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,21 @@
+// Animations of nodes [GLTF2 3.11] as a film: the first one of the file. Does not read morph targets.
+#pragma once
+
+#include "scene/film.h"
+#include "scene/gltf/gltf_nodes.h"
+
+#include <optional>
+
+namespace gw::scene {
+
+/// The nodes that hold what a scene has: indices into the list of placed_nodes.
+struct GltfHolders {
+    std::vector<std::size_t> objects, lights;  ///< in the scene's order
+    std::optional<std::size_t> camera;
+};
+
+/// None if no node is animated. The scene is counted from `origin`. Throws Error at the value's place.
+std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vector<GltfNode>& nodes,
+                                   const GltfHolders& holders, const dvec3& origin);
+
+}  // namespace gw::scene

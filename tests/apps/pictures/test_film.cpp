@@ -1,0 +1,91 @@
+// Claims of gw render --film: numbered pictures, motion blur as the mean of instants, the same files
+// from several processes, and a film that goes on where it was cut off.
+#include "tests/apps/pictures.h"
+#include "tests/apps/scene_files.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace gw::apps {
+namespace {
+
+class FilmCommand : public SceneTest {
+protected:
+    /// A white square over pixels 4 .. 11 at picture 2, which moves 4 pixels from one to the next.
+    FilmCommand() {
+        write("film.toml", R"(
+[film]
+rate = 1
+[camera]
+eye = [0, 0, 5]
+ortho = 4
+[[object]]
+name = "square"
+file = "quad.obj"
+material = {Ka = 0, Kd = 0, Ke = 1}
+[[track]]
+object = "square"
+key = "translate"
+times = [0, 2]
+values = [[-1, 0, 0], [1, 0, 0]]
+)");
+    }
+    std::vector<int> row_of(const std::string& name) const {
+        std::vector<int> row;
+        const Pixels picture = read_pixels(in(name));
+        for (int x = 0; x < 16; ++x) row.push_back(int(std::lround(picture.at(x, 8)[0] * 255)));
+        return row;
+    }
+};
+
+}  // namespace
+
+TEST_F(FilmCommand, NumbersItsPictures) {
+    EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "2-3"}).code, 0);
+    EXPECT_EQ(names(), (std::vector<std::string>{"a_002.png", "a_003.png", "film.toml",
+                                                 "lamps.toml", "quad.obj"}));
+    EXPECT_EQ(row_of("a_002.png"),
+              (std::vector<int>{0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 0}));
+    EXPECT_EQ(row_of("a_003.png"),
+              (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255}));
+}
+
+TEST_F(FilmCommand, SuperposesTheInstantsOfAnOpenShutter) {
+    EXPECT_EQ(
+        render({"film.toml", "-o", "a.png", "--film", "2", "--shutter", "1", "--instants", "2"})
+            .code,
+        0);
+    EXPECT_EQ(row_of("a_002.png"), (std::vector<int>{0, 0, 0, 128, 128, 255, 255, 255, 255, 255,
+                                                     255, 128, 128, 0, 0, 0}));
+}
+
+TEST_F(FilmCommand, GoesOnAtItsFirstMissingPicture) {
+    EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "1-3"}).code, 0);
+    const std::string second = bytes_of(in("a_002.png")), third = bytes_of(in("a_003.png"));
+    write("a_001.png", "kept");
+    write("a_003.png", "drawn anew");
+    std::filesystem::remove(in("a_002.png"));
+    EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "1-3", "--continue"}).code, 0);
+    EXPECT_EQ(bytes_of(in("a_001.png")), "kept");
+    EXPECT_TRUE(bytes_of(in("a_002.png")) == second);
+    EXPECT_TRUE(bytes_of(in("a_003.png")) == third);
+}
+
+TEST_F(FilmCommand, RefusesWhatIsNoFilm) {
+    const auto refused = [&](const std::vector<std::string>& arguments, int code,
+                             const std::string& text) {
+        const Outcome outcome = render(arguments);
+        EXPECT_EQ(outcome.code, code);
+        EXPECT_NE(outcome.err.find(text), outcome.err.npos) << outcome.err;
+    };
+    refused({"lamps.toml", "-o", "a.png", "--film", "1-2"}, 1, "lamps.toml: is no film; expected");
+    refused({"film.toml", "-o", "a.png", "--film", "2-1"}, 2, "--film '2-1': expected A-B");
+    refused({"film.toml", "-o", "a.png", "--shutter", "1"}, 2, "without --film");
+    refused({"film.toml", "-o", "a.png", "--film", "1", "--turntable", "2"}, 2,
+            "--film with --turntable");
+    refused({"film.toml", "-o", "a.png", "--film", "1", "--shutter", "2"}, 2, "--shutter");
+    refused({"film.toml", "-o", "a.png", "--film", "1", "--manifest", "m.json"}, 2,
+            "--film cannot");
+}
+
+}  // namespace gw::apps
