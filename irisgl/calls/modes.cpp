@@ -81,7 +81,10 @@ long getbuffer() {
 
 void swapbuffers() {
     Window& w = current_window();
-    if (!w.state.double_buffered) return;  // "ignored in single buffer mode"
+    if (!w.state.double_buffered) {  // no buffers are exchanged; a loop of frames is shown and ends
+        w.show_front();
+        return next_frame();
+    }
     gl::finish_frame(w.context);
     w.swap();
     next_frame();
