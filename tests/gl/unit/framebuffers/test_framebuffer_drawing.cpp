@@ -51,7 +51,7 @@ TEST(GlFramebuffers, HaveThePixelsThatAllImagesHave) {
     EXPECT_GL_ERROR(GL_NO_ERROR);
 }
 
-/// MuJoCo asks for them in mjr_resizeOffscreen, whatever is offered.
+/// MuJoCo asks for them when it resizes its picture, whatever is offered.
 TEST(GlFramebuffers, StoreFloatDepthsIn32Bits) {
     const Window window;
     for (const GLenum format : {GL_DEPTH32F_STENCIL8, GL_DEPTH_COMPONENT32F}) {
