@@ -115,7 +115,10 @@ void gRGBcolor(short* r, short* g, short* b) {
     *b = byte_of(c.z);
 }
 
-void clear() { clear_color(); }
+void clear() {
+    if (!state().double_buffered) pass(polls_of_frame / 20);  // another picture begins
+    clear_color();
+}
 
 void writemask(Colorindex mask) { planes_now().writemask = mask; }
 void RGBwritemask(short r, short g, short b) {
@@ -194,7 +197,9 @@ void czclear(unsigned long color, long depth) {
     p.index = double(color & index_mask);
     p.rgb = unpacked_color(std::uint32_t(color));
     set_clear_color(p);
-    glClearDepth(depth_of(depth));
+    if (!state().double_buffered) pass(polls_of_frame / 20);
+    const bool is_farthest = depth == 0xFFFFFFFFL;  // all bits: programs wrote it for that
+    glClearDepth(is_farthest ? 1 : depth_of(depth));
     glDepthMask(GL_TRUE);
     clear_planes(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     apply_depth();

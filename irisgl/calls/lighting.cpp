@@ -71,6 +71,28 @@ void define(short kind, short index, int word, Values v) {
     if (kind == DEFLMODEL) set_model(program().models[index], word, v);
 }
 
+vec4 eye_from_object(const vec4& v) {
+    if (state().matrix_mode == MSINGLE) return v;
+    const dmat4& m = state().matrices.back();
+    vec4 out;
+    for (int k = 0; k < 4; ++k)
+        out[k] = float(dot4({m[0][k], m[1][k], m[2][k], m[3][k]},
+                            {double(v.x), double(v.y), double(v.z), double(v.w)}));
+    return out;
+}
+
+/// A bound light's new place or direction is turned by the matrix of now, as at lmbind.
+void turn_bound(short index, int word) {
+    if (program().current == nullptr) return;
+    Bound& b = state().bound;
+    const Light& light = program().lights[index];
+    for (std::size_t i = 0; i < b.lights.size(); ++i) {
+        if (b.lights[i] != index) continue;
+        if (word == POSITION) b.positions[i] = eye_from_object(light.position);
+        if (word == SPOTDIRECTION) b.directions[i] = eye_from_object(light.direction);
+    }
+}
+
 /// A definition that is bound changes what is drawn next.
 void apply_bound(short kind, short index) {
     if (program().current == nullptr) return;
@@ -87,17 +109,8 @@ void bind_light(int number, short index) {
     const std::size_t i = std::size_t(number);
     b.lights[i] = index;
     const Light& light = program().lights[index];
-    const dmat4& m = state().matrices.back();
-    const auto turned = [&](const vec4& v) {
-        vec4 out;
-        for (int k = 0; k < 4; ++k)
-            out[k] = float(dot4({m[0][k], m[1][k], m[2][k], m[3][k]},
-                                {double(v.x), double(v.y), double(v.z), double(v.w)}));
-        return out;
-    };
-    const bool viewing = state().matrix_mode != MSINGLE;
-    b.positions[i] = viewing ? turned(light.position) : light.position;
-    b.directions[i] = viewing ? turned(light.direction) : light.direction;
+    b.positions[i] = eye_from_object(light.position);
+    b.directions[i] = eye_from_object(light.direction);
     apply_light(number);
 }
 
@@ -129,6 +142,7 @@ void define_light(short kind, short index, Values props) {
             break;
         }
         define(kind, index, word, props.subspan(i + 1, std::size_t(count)));
+        if (kind == DEFLIGHT) turn_bound(index, word);
         i += std::size_t(count) + 1;
     }
     apply_bound(kind, index);

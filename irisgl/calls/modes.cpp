@@ -91,8 +91,17 @@ void swapbuffers() {
 }
 void mswapbuffers(long) { swapbuffers(); }
 void swapinterval(short) {}
-void gflush() { current_window().show_front(); }
-void finish() { current_window().show_front(); }
+void gflush() {
+    current_window().show_front();
+    pass(polls_of_frame / 20);
+}
+void finish() { gflush(); }
+void gsync() { pass(polls_of_frame); }
+long sginap(long) {
+    gflush();
+    pass(polls_of_frame);
+    return 0;
+}
 
 void greset() {
     Window& w = current_window();
@@ -158,7 +167,7 @@ long getgdesc(long what) {
                                               {GD_TEXTURE_PERSP, 1},
                                               {GD_SCRNTYPE, GD_SCRNTYPE_WM}};
     const auto found = answers.find(what);
-    return found == answers.end() ? 0 : found->second;
+    return found == answers.end() ? -1 : found->second;
 }
 
 long gversion(char* v) {

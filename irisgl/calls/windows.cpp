@@ -83,6 +83,7 @@ long winopen(const std::string& title) {
     greset();
     qdevice(INPUTCHANGE);
     qdevice(REDRAW);
+    happen(REDRAW, id);
     happen(INPUTCHANGE, id);
     return id;
 }
@@ -200,7 +201,6 @@ void gexit() {
     program().current = nullptr;
     program().windows.clear();
 }
-void gsync() {}
 
 void textport(Screencoord, Screencoord, Screencoord, Screencoord) {}
 void tpon() {}

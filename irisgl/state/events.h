@@ -1,6 +1,8 @@
 // Devices, the event queue, and the text of events that a program without a screen gets.
 #pragma once
 
+#include "irisgl/state/tokens.h"
+
 #include <array>
 #include <cstdint>
 #include <deque>
@@ -13,6 +15,7 @@
 namespace gw::irisgl {
 
 inline constexpr std::size_t queue_length = 101;
+inline constexpr unsigned polls_of_frame = 1000;
 
 struct Event {
     unsigned device = 0;
@@ -36,7 +39,8 @@ struct Events {
     std::set<unsigned> queued;
     std::map<unsigned, std::pair<unsigned, unsigned>> ties;
     std::set<unsigned> down;
-    std::map<unsigned, Valuator> valuators;
+    std::map<unsigned, Valuator> valuators{{MOUSEX, {.value = 639, .low = 0, .high = 1279}},
+                                           {MOUSEY, {.value = 511, .low = 0, .high = 1023}}};
     std::map<unsigned, long> noise;
     std::deque<ScriptedEvent> script;
     bool is_script_read = false;
@@ -51,6 +55,8 @@ void enter(unsigned device, long value);
 /// Takes what the screen and the script have, shows what was drawn, and ends a program that waits in
 /// vain (`waits`), or has shown its last frame.
 void poll(bool waits);
+/// Counts calls that show or begin a picture as `polls` polls: a loop of them ends with GW_FRAMES.
+void pass(unsigned polls);
 /// The script's next events are due: a swap.
 void next_frame();
 /// The device of this name, as LEFTMOUSE or AKEY; 0: there is none.

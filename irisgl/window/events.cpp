@@ -17,7 +17,6 @@ namespace gw::irisgl {
 
 namespace {
 
-constexpr unsigned polls_of_frame = 1000;
 constexpr auto frame_time = std::chrono::milliseconds(16);
 
 Events& events() { return program().events; }
@@ -166,11 +165,19 @@ void poll(bool waits) {
     }
     if (!w.state.double_buffered && waits) w.show_front();
     if (waits && all.queue.empty()) end_program("qread: no more events come");
-    if (++all.polls < polls_of_frame) return;
+    pass(1);
+}
+
+void pass(unsigned polls) {
+    Events& all = events();
+    if (program().current == nullptr || has_screen()) return;
+    all.polls += polls;
+    if (all.polls < polls_of_frame) return;
     all.polls = 0;
     ++all.frame;
+    Window& w = *program().current;
     if (!w.state.double_buffered) w.show_front();
-    static const gl::FrameRange frames = gl::read_frame_range();
+    const gl::FrameRange frames = gl::read_frame_range();
     if (all.frame > frames.last) end_program("the last frame of GW_FRAMES is over");
 }
 

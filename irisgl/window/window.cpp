@@ -56,10 +56,9 @@ void Window::select_planes() {
     const long mode = state.draw_mode;
     gl::Drawable* to = this;
     if (mode == OVERDRAW || mode == UNDERDRAW || mode == PUPDRAW) {
-        const std::size_t which = mode == UNDERDRAW ? 1 : 0;
-        if (!aside_[which])
-            aside_[which] =
-                std::make_unique<AsidePlanes>(*this, which == 0 ? " overlay" : " underlay");
+        const std::size_t which = mode == UNDERDRAW ? 1 : mode == PUPDRAW ? 2 : 0;
+        constexpr std::array words{" overlay", " underlay", " pop-up"};
+        if (!aside_[which]) aside_[which] = std::make_unique<AsidePlanes>(*this, words[which]);
         to = aside_[which].get();
     }
     gl::make_current(&context, to);
@@ -126,14 +125,13 @@ void Window::compose(std::span<std::uint32_t> pixels) {
             const unsigned index = code.index(p & 0xFF, p >> 8 & 0xFF);
             p = mapped(map, index) | (index == 0 ? 0u : 0xFF000000u);
         }
-    for (const std::size_t which : {1u, 0u}) {
+    for (const std::size_t which : {1u, 0u, 2u}) {
         if (!aside_[which]) continue;
         const unsigned mask = (1u << std::max(aside_bits_[which], 2)) - 1;
         const Planes& planes = aside_[which]->planes();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const unsigned index = planes.color[i][0] & mask;
-            const bool covers =
-                which == 0 ? index != 0 : (pixels[i] & 0xFF000000u) == 0 && index != 0;
+            const bool covers = index != 0 && (which != 1 || (pixels[i] & 0xFF000000u) == 0);
             if (covers) pixels[i] = map.aside[which][index] | 0xFF000000u;
         }
     }

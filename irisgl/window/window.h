@@ -16,10 +16,10 @@
 
 namespace gw::irisgl {
 
-/// Overlay, underlay: planes of 2 to 8 bits, drawn like the others.
+/// Overlay, underlay, pop-up: planes of 2 to 8 bits, drawn like the others.
 class AsidePlanes;
 
-/// The pop-up planes, 2 bits: 0 shows what is below. Bottom row first.
+/// The menus of a window, 2 bits: 0 shows what is below. Bottom row first.
 struct PopupPlanes {
     int width = 0, height = 0;
     std::vector<std::uint8_t> pixels;
@@ -66,8 +66,8 @@ private:
 
     const long id_;
     std::unique_ptr<HostWindow> host_;
-    std::array<std::unique_ptr<AsidePlanes>, 2> aside_;  ///< overlay, underlay
-    std::array<int, 2> aside_bits_{2, 0};
+    std::array<std::unique_ptr<AsidePlanes>, 3> aside_;  ///< overlay, underlay, pop-up
+    std::array<int, 3> aside_bits_{2, 0, 2};
     std::uint64_t shown_map_ = 0;
     Planes shown_;
     std::vector<std::uint32_t> pixels_;

@@ -89,4 +89,38 @@ TEST_F(IrisGlColors, OverlayPlanesCoverThePictureWhereTheyAreNotZero) {
     EXPECT_EQ(index_at(2, 2), RED);
 }
 
+// From the top: pop-up, overlay, picture, underlay.
+TEST_F(IrisGlColors, EachKindOfPlanesHasItsPlaceInTheStack) {
+    color(0);
+    clear();
+    color(RED);
+    rectfi(0, 0, 11, 0);
+    const auto fill = [](long mode, int right, short r) {
+        drawmode(mode);
+        mapcolor(2, r, 0, 1);
+        color(0);
+        clear();
+        color(2);
+        rectfi(0, 0, Icoord(right), 0);
+        drawmode(NORMALDRAW);
+    };
+    underlay(2);
+    fill(UNDERDRAW, 15, 50);
+    fill(OVERDRAW, 7, 60);
+    fill(PUPDRAW, 3, 70);
+    EXPECT_EQ(shown(3, 0), 70u | 1u << 16);
+    EXPECT_EQ(shown(7, 0), 60u | 1u << 16);
+    EXPECT_EQ(shown(11, 0), 0xFFu);
+    EXPECT_EQ(shown(15, 0), 50u | 1u << 16);
+    EXPECT_EQ(shown(15, 1), 0u);
+    drawmode(PUPDRAW);
+    EXPECT_EQ(getplanes(), 2);
+    drawmode(UNDERDRAW);
+    EXPECT_EQ(getplanes(), 2);
+    drawmode(NORMALDRAW);
+    EXPECT_EQ(getplanes(), 12);
+    RGBmode();
+    EXPECT_EQ(getplanes(), 24);
+}
+
 }  // namespace gw::irisgl

@@ -42,19 +42,27 @@ TEST_F(IrisGlDrawing, ConcavePolygonsLeaveTheirNotchEmpty) {
     EXPECT_EQ(index_at(8, 8), 0);
 }
 
+// Without swaps a mesh of 0, 1, 2, 3 has the triangles 012 and 123; a swap before 3 makes it 023.
 TEST_F(IrisGlDrawing, SwaptmeshTurnsTheFanOfAMesh) {
-    // The fan around (0, 0): vertices 1, 2, swap, 3 share vertex 1.
-    const float v[4][2] = {{0.5f, 0.5f}, {12.5f, 0.5f}, {12.5f, 12.5f}, {0.5f, 12.5f}};
-    bgntmesh();
-    v2f(const_cast<float*>(v[0]));
-    v2f(const_cast<float*>(v[1]));
-    swaptmesh();
-    v2f(const_cast<float*>(v[2]));
-    swaptmesh();
-    swaptmesh();
-    v2f(const_cast<float*>(v[3]));
-    endtmesh();
-    EXPECT_EQ(index_at(8, 4), 5);
+    const float v[4][2] = {{-0.5f, -0.5f}, {7.5f, -0.5f}, {7.5f, 7.5f}, {-0.5f, 7.5f}};
+    for (const bool swaps : {false, true}) {
+        color(0);
+        clear();
+        color(5);
+        bgntmesh();
+        for (int i = 0; i < 4; ++i) {
+            if (i == 3 && swaps) swaptmesh();
+            v2f(const_cast<float*>(v[i]));
+        }
+        endtmesh();
+        EXPECT_EQ(index_at(6, 3), 5);
+        EXPECT_EQ(index_at(1, 5), swaps ? 5 : 0);  // 023 has it, 123 has not
+        EXPECT_EQ(index_at(6, 5), 5);
+        EXPECT_EQ(index_at(9, 3), 0);
+        if (swaps) {
+            EXPECT_EQ(count_of(5), 64);
+        }
+    }
 }
 
 TEST_F(IrisGlDrawing, APatternOfSixteenBitsRepeats) {
@@ -116,6 +124,22 @@ TEST_F(IrisGlDrawing, DepthsAreSignedAndTheNearerWins) {
     czclear(0, -0x800000);
     polf(4, const_cast<float(*)[3]>(near_ones));
     EXPECT_EQ(index_at(5, 5), 0);
+}
+
+TEST_F(IrisGlDrawing, AllBitsSetClearTheDepthsToTheFarthest) {
+    const float far_one[4][3] = {{0, 0, -1}, {12, 0, -1}, {12, 12, -1}, {0, 12, -1}};
+    zbuffer(TRUE);
+    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -10, 10);
+    for (const long depth : {0x7fffffL, 0xffffffffL}) {
+        czclear(0, depth);
+        polf(4, const_cast<float(*)[3]>(far_one));
+        EXPECT_EQ(index_at(5, 5), 5) << depth;
+    }
+    for (const long depth : {-1L, 0xff800000L}) {  // -1 is nearer than the polygon
+        czclear(0, depth);
+        polf(4, const_cast<float(*)[3]>(far_one));
+        EXPECT_EQ(index_at(5, 5), 0) << depth;
+    }
 }
 
 TEST_F(IrisGlDrawing, CharactersMoveTheCharacterPosition) {

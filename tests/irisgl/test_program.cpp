@@ -131,6 +131,49 @@ TEST_F(IrisGlProgram, AWaitThatNothingCanEndEndsTheProgram) {
     EXPECT_EXIT(qread(&value), testing::ExitedWithCode(0), "no more events come");
 }
 
+// None of these loops swaps buffers or gets an event.
+TEST_F(IrisGlProgram, LoopsWithoutSwapsEndWithTheLastFrame) {
+    const auto runs = [](const auto& body) {
+        setenv("GW_FRAMES", "0-3", 1);
+        for (;;) body();
+    };
+    const std::string why = "the last frame of GW_FRAMES is over";
+    EXPECT_EXIT(runs([] { qtest(); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { getvaluator(MOUSEX); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { getbutton(LEFTMOUSE); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { gflush(); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { finish(); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { sginap(1); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { gsync(); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { clear(); }), testing::ExitedWithCode(0), why);
+    EXPECT_EXIT(runs([] { czclear(0, 0); }), testing::ExitedWithCode(0), why);
+}
+
+TEST_F(IrisGlProgram, AnOpenedWindowIsToBeRedrawnAndHasTheInput) {
+    short value = 0;
+    prefsize(8, 8);
+    const long other = winopen("other");
+    EXPECT_EQ(qread(&value), REDRAW);
+    EXPECT_EQ(value, other);
+    EXPECT_EQ(qread(&value), INPUTCHANGE);
+    EXPECT_EQ(value, other);
+    EXPECT_EQ(qtest(), 0);
+    winclose(other);
+}
+
+TEST_F(IrisGlProgram, TheMouseBeginsInTheMiddleOfTheScreen) {
+    EXPECT_EQ(getvaluator(MOUSEX), XMAXSCREEN / 2);
+    EXPECT_EQ(getvaluator(MOUSEY), YMAXSCREEN / 2);
+}
+
+TEST_F(IrisGlProgram, GetgdescAnswersWithMinusOneWhereItKnowsNothing) {
+    EXPECT_EQ(getgdesc(GD_XPMAX), 1280);
+    EXPECT_EQ(getgdesc(GD_ZMIN), -0x800000);
+    EXPECT_EQ(getgdesc(GD_ZMAX), 0x7fffff);
+    EXPECT_EQ(getgdesc(GD_NMMAPS), 0);
+    EXPECT_EQ(getgdesc(12345), -1);
+}
+
 TEST_F(IrisGlProgram, ASecondWindowHasItsOwnState) {
     color(6);
     prefsize(8, 8);

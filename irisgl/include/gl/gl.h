@@ -318,6 +318,9 @@ typedef struct {
 extern "C" {
 #endif
 #include <gl/functions.h>
+#ifndef __cplusplus
+extern double atof(); /* <math.h> of IRIX had it */
+#endif
 #ifdef __cplusplus
 }
 #endif
