@@ -72,6 +72,7 @@ void logicop(long op) {
 void acbuf(long op, float value) {
     constexpr GLenum ops[] = {GL_ACCUM, GL_ACCUM, GL_LOAD, GL_RETURN, GL_MULT, GL_ADD};
     if (!is_word("acbuf", op, AC_ADD)) return;
+    glReadBuffer(state().double_buffered && state().draw_mode == NORMALDRAW ? GL_BACK : GL_FRONT);
     if (op != AC_CLEAR) return glAccum(ops[op], value);
     glClearAccum(value, value, value, value);
     glClear(GL_ACCUM_BUFFER_BIT);

@@ -104,6 +104,12 @@ void apply_bound(short kind, short index) {
         if (b.lights[std::size_t(i)] == index) apply_light(i);
 }
 
+/// "LMNULL as the first word resets the definition."
+template <class Definition>
+void begin_definition(Definition& definition, Values props) {
+    if (props.empty() || props[0] == LMNULL) definition = {};
+}
+
 void bind_light(int number, short index) {
     Bound& b = state().bound;
     const std::size_t i = std::size_t(number);
@@ -129,9 +135,9 @@ void define_light(short kind, short index, Values props) {
         return warn(
             "lmdef: definition " + std::to_string(index) + " of kind " + std::to_string(kind) +
             "; expected DEFMATERIAL, DEFLIGHT or DEFLMODEL and an index from 1; it is ignored");
-    if (kind == DEFMATERIAL) program().materials[index];
-    if (kind == DEFLIGHT) program().lights[index];
-    if (kind == DEFLMODEL) program().models[index];
+    if (kind == DEFMATERIAL) begin_definition(program().materials[index], props);
+    if (kind == DEFLIGHT) begin_definition(program().lights[index], props);
+    if (kind == DEFLMODEL) begin_definition(program().models[index], props);
     for (std::size_t i = 0; i < props.size();) {
         const int word = int(props[i]), count = count_of(word);
         if (word == 0) break;

@@ -42,7 +42,7 @@ TEST_F(IrisGlDrawing, ConcavePolygonsLeaveTheirNotchEmpty) {
     EXPECT_EQ(index_at(8, 8), 0);
 }
 
-// Without swaps a mesh of 0, 1, 2, 3 has the triangles 012 and 123; a swap before 3 makes it 023.
+// Without swaps a mesh of 0, 1, 2, 3 has the triangles 012 and 123. A swap before 2 keeps 0 for 3: 023.
 TEST_F(IrisGlDrawing, SwaptmeshTurnsTheFanOfAMesh) {
     const float v[4][2] = {{-0.5f, -0.5f}, {7.5f, -0.5f}, {7.5f, 7.5f}, {-0.5f, 7.5f}};
     for (const bool swaps : {false, true}) {
@@ -51,7 +51,7 @@ TEST_F(IrisGlDrawing, SwaptmeshTurnsTheFanOfAMesh) {
         color(5);
         bgntmesh();
         for (int i = 0; i < 4; ++i) {
-            if (i == 3 && swaps) swaptmesh();
+            if (i == 2 && swaps) swaptmesh();
             v2f(const_cast<float*>(v[i]));
         }
         endtmesh();

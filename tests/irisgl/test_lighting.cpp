@@ -11,6 +11,7 @@ class IrisGlLighting : public IrisGl {
 protected:
     void SetUp() override {
         IrisGl::SetUp();
+        forget();
         RGBmode();
         mmode(MVIEWING);
         const float one[4][4] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -25,6 +26,10 @@ protected:
     }
     static void define(short kind, std::vector<float> words) {
         lmdef(kind, 1, short(words.size()), words.data());
+    }
+    /// Nothing is left of what another test defined.
+    static void forget() {
+        for (const short kind : {DEFMATERIAL, DEFLMODEL, DEFLIGHT}) define(kind, {LMNULL});
     }
     static void bind() {
         for (const short target : {MATERIAL, LMODEL, LIGHT0}) lmbind(target, 1);
