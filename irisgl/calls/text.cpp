@@ -51,6 +51,70 @@ void draw_row(const Glyph& g, int row, int x, int y) {
     }
 }
 
+void draw_text(const Font& font, const std::string& text) {
+    State& s = state();
+    if (!s.is_character_valid) return;
+    for (const char c : text) {
+        const Glyph* const g = glyph_of(font, c);
+        if (g == nullptr) continue;
+        for (int row = 0; row < g->h; ++row)
+            draw_row(*g, row, s.character[0] + g->xoff, s.character[1] + g->yoff + row);
+        s.character[0] = short(s.character[0] + g->width);
+    }
+}
+
+long width_of(const Font& font, const std::string& text) {
+    long width = 0;
+    for (const char c : text)
+        if (const Glyph* const g = glyph_of(font, c)) width += g->width;
+    return width;
+}
+
+int scaled(int pixels, double k) { return int(std::floor(pixels * k + 0.5)); }
+
+/// Each pixel has the bit of the pixel that its centre lies in.
+Glyph scaled(const Glyph& g, double k) {
+    Glyph out{.w = scaled(g.w, k),
+              .h = scaled(g.h, k),
+              .xoff = scaled(g.xoff, k),
+              .yoff = scaled(g.yoff, k),
+              .width = scaled(g.width, k),
+              .rows = {}};
+    const int words = (out.w + 15) / 16, old_words = (g.w + 15) / 16;
+    out.rows.resize(std::size_t(words) * std::size_t(out.h));
+    const auto from = [&](int i, int most) {
+        return std::min(int(std::floor((i + 0.5) / k)), most - 1);
+    };
+    for (int y = 0; y < out.h; ++y)
+        for (int x = 0; x < out.w; ++x) {
+            const int at = from(x, g.w), row = from(y, g.h);
+            if ((g.rows[std::size_t(row * old_words + at / 16)] >> (15 - at % 16) & 1) != 0)
+                out.rows[std::size_t(y * words + x / 16)] |= std::uint16_t(0x8000 >> x % 16);
+        }
+    return out;
+}
+
+const Font* managed(const char* function, long font) {
+    const auto found = program().managed_fonts.find(font);
+    if (found != program().managed_fonts.end()) return &found->second.font;
+    warn(std::string(function) + ": font " + std::to_string(font) +
+         "; expected a font of fmfindfont or fmscalefont; it is ignored");
+    return nullptr;
+}
+
+long new_managed_font(double size) {
+    auto& fonts = program().managed_fonts;
+    const Font& base = font_of(0);
+    ManagedFont made{.size = size, .font = {}};
+    const double k = size / base.height;
+    made.font.height = scaled(base.height, k);
+    made.font.descender = scaled(base.descender, k);
+    for (const Glyph& g : base.glyphs) made.font.glyphs.push_back(scaled(g, k));
+    const long number = fonts.empty() ? 1 : fonts.rbegin()->first + 1;
+    fonts[number] = std::move(made);
+    return number;
+}
+
 }  // namespace
 
 void character_move(double x, double y, double z) {
@@ -68,17 +132,7 @@ void getcpos(short* x, short* y) {
     *y = state().character[1];
 }
 
-void charstr(const std::string& text) {
-    State& s = state();
-    if (!s.is_character_valid) return;
-    for (const char c : text) {
-        const Glyph* const g = glyph_of(font_now(), c);
-        if (g == nullptr) continue;
-        for (int row = 0; row < g->h; ++row)
-            draw_row(*g, row, s.character[0] + g->xoff, s.character[1] + g->yoff + row);
-        s.character[0] = short(s.character[0] + g->width);
-    }
-}
+void charstr(const std::string& text) { draw_text(font_now(), text); }
 
 void defrasterfont(short n, short height, short count, Fontchar* chars, short rasters,
                    unsigned short* raster) {
@@ -107,11 +161,50 @@ void font(short n) {
 long getfont() { return state().now.font; }
 long getheight() { return font_now().height; }
 long getdescender() { return font_now().descender; }
-long strwidth(const std::string& s) {
-    long width = 0;
-    for (const char c : s)
-        if (const Glyph* const g = glyph_of(font_now(), c)) width += g->width;
-    return width;
+long strwidth(const std::string& s) { return width_of(font_now(), s); }
+
+// The font manager: its one face is font 0, whatever is asked for.
+
+void fminit() {}
+void fmenumerate(fmfaceproc proc) {
+    char face[] = "Screen";
+    if (proc != nullptr) proc(face);
+}
+fmfonthandle fmfindfont(const std::string& face) {
+    if (face != "Screen") warn("fmfindfont: there is one face, Screen; it stands for " + face);
+    return new_managed_font(1);
+}
+fmfonthandle fmscalefont(fmfonthandle font, double size) {
+    if (managed("fmscalefont", font) == nullptr) return 0;
+    const double to = program().managed_fonts[font].size * size;
+    if (to > 0 && to <= 1000) return new_managed_font(to);
+    warn("fmscalefont: a line of " + std::to_string(to) + " pixels; expected up to 1000");
+    return 0;
+}
+void fmfreefont(fmfonthandle font) { program().managed_fonts.erase(font); }
+void fmsetfont(fmfonthandle font) {
+    if (managed("fmsetfont", font) != nullptr) program().managed_font = font;
+}
+long fmprstr(const std::string& s) {
+    const Font* const font = managed("fmprstr", program().managed_font);
+    if (font == nullptr) return -1;
+    draw_text(*font, s);
+    return width_of(*font, s);
+}
+long fmgetstrwidth(fmfonthandle font, const std::string& s) {
+    const Font* const found = managed("fmgetstrwidth", font);
+    return found == nullptr ? -1 : width_of(*found, s);
+}
+long fmgetfontinfo(fmfonthandle font, fmfontinfo* info) {
+    const Font* const found = managed("fmgetfontinfo", font);
+    if (found == nullptr || info == nullptr) return -1;
+    *info = {};
+    info->fixed_width = 1;
+    info->height = info->ysize = found->height;
+    info->yorig = found->descender;
+    info->width = info->xsize = width_of(*found, "M");
+    info->nglyphs = long(found->glyphs.size());
+    return 0;
 }
 
 }  // namespace gw::irisgl::calls

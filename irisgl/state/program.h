@@ -70,6 +70,12 @@ struct Font {
     int height = 0, descender = 0;
 };
 
+/// A font of the font manager: font 0, scaled.
+struct ManagedFont {
+    double size = 0;  ///< pixels of a line
+    Font font;
+};
+
 struct TextureDefinition {
     int components = 0;
     long width = 0, height = 0;
@@ -108,6 +114,8 @@ struct Program {
     std::map<short, Pattern> patterns;
     std::map<short, dmat4> bases;
     std::map<short, Font> fonts;
+    std::map<long, ManagedFont> managed_fonts;
+    long managed_font = 0;  ///< of fmprstr; 0: none
     std::map<long, TextureDefinition> textures;
     std::map<long, std::vector<float>> environments;
     std::map<short, CursorImage> cursors;

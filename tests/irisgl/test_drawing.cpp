@@ -1,5 +1,7 @@
 #include "tests/irisgl/support.h"
 
+#include <vector>
+
 namespace gw::irisgl {
 
 class IrisGlDrawing : public IrisGl {
@@ -150,6 +152,42 @@ TEST_F(IrisGlDrawing, CharactersMoveTheCharacterPosition) {
     EXPECT_EQ(x, 1 + strwidth(const_cast<char*>("I")));
     EXPECT_EQ(y, 2);
     EXPECT_GT(count_of(5), 10);
+}
+
+// A font as high as font 0 draws its pixels; larger ones draw more.
+TEST_F(IrisGlDrawing, TheFontManagerScalesTheScreensFont) {
+    char text[] = "I";
+    const fmfonthandle same = fmscalefont(fmfindfont(const_cast<char*>("Screen")), 15),
+                       small = fmscalefont(same, 1.0 / 3), large = fmscalefont(small, 3);
+    fmfontinfo info{};
+    EXPECT_EQ(fmgetfontinfo(same, &info), 0);
+    EXPECT_EQ(info.height, getheight());
+    EXPECT_EQ(fmgetstrwidth(same, text), strwidth(text));
+    EXPECT_EQ(fmgetstrwidth(small, text), strwidth(text) / 3);
+    cmov2i(1, 2);
+    charstr(text);
+    std::vector<int> expected;
+    for (int i = 0; i < 256; ++i) expected.push_back(index_at(i % 16, i / 16));
+    for (const fmfonthandle font : {same, large}) {
+        color(0);
+        clear();
+        color(5);
+        fmsetfont(font);
+        cmov2i(1, 2);
+        EXPECT_EQ(fmprstr(text), strwidth(text));
+        for (int i = 0; i < 256; ++i) EXPECT_EQ(index_at(i % 16, i / 16), expected[std::size_t(i)]);
+    }
+    const int drawn = count_of(5);
+    fmsetfont(fmscalefont(same, 2));
+    color(0);
+    clear();
+    color(5);
+    cmov2i(0, 0);
+    fmprstr(text);
+    EXPECT_GT(count_of(5), drawn);
+    fmfreefont(same);
+    EXPECT_EQ(fmgetstrwidth(same, text), -1);
+    EXPECT_EQ(fmscalefont(same, 2), 0);
 }
 
 TEST_F(IrisGlDrawing, ACubicCurveOfTheBezierBasisMeetsItsEnds) {

@@ -313,6 +313,14 @@ typedef struct {
 
 #include <gl/get.h>
 
+/* The font manager. */
+typedef long fmfonthandle;
+typedef void (*fmfaceproc)(char* face);
+typedef struct {
+    long printermatched, fixed_width, xorig, yorig, xsize, ysize, height, width;
+    long nglyphs, matrix00, matrix01, matrix10, matrix11;
+} fmfontinfo;
+
 #ifndef GW_IRISGL_TOKENS_ONLY
 #ifdef __cplusplus
 extern "C" {
