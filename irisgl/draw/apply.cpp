@@ -92,14 +92,7 @@ void apply_color_mask() {
     if (draws_indices()) return;  // set by each primitive
     const std::uint32_t mask = planes_now().rgb_mask;
     GLboolean on[4];
-    for (int i = 0; i < 4; ++i) {
-        const std::uint32_t bits = mask >> 8 * i & 0xFF;
-        on[i] = bits != 0;
-        if (bits != 0 && bits != 0xFF)
-            warn(
-                "wmpack: the write mask of a channel is neither 0 nor 255; in RGB mode the machine "
-                "masks whole channels");
-    }
+    for (int i = 0; i < 4; ++i) on[i] = (mask >> 8 * i & 0xFF) != 0;
     glColorMask(on[0], on[1], on[2], on[3]);
 }
 

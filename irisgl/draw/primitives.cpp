@@ -198,12 +198,60 @@ void draw_indices(Shape shape, std::span<const Vertex> vertices) {
     use_index_texture(false);
 }
 
+bool has_part_of_channel(std::uint32_t mask) {
+    for (int i = 0; i < 4; ++i)
+        if (const unsigned bits = mask >> 8 * i & 0xFF; bits != 0 && bits != 0xFF) return true;
+    return false;
+}
+
+/// The bits of a colour of 8 bits a channel that a mask has.
+vec4 masked(const vec4& rgb, std::uint32_t mask) {
+    vec4 out;
+    for (int i = 0; i < 4; ++i) {
+        const double value = std::clamp(double(rgb[i]), 0.0, 1.0);
+        out[i] = float(unsigned(std::floor(value * 255 + 0.5)) & (mask >> 8 * i & 0xFF)) / 255;
+    }
+    return out;
+}
+
+/// False: what is drawn has several colours, or light, texture or blending changes them.
+bool draw_with_part_of_channel(Shape shape, std::span<const Vertex> vertices, bool lit) {
+    const vec4 rgb = vertices[0].rgb;
+    const bool is_one_color = std::all_of(vertices.begin(), vertices.end(),
+                                          [&](const Vertex& v) { return v.rgb == rgb; });
+    if (lit || !is_one_color || state().textured || glIsEnabled(GL_BLEND) ||
+        glIsEnabled(GL_COLOR_LOGIC_OP) || current_window().profile().color_bits != 8)
+        return false;
+    const std::uint32_t mask = planes_now().rgb_mask;
+    std::vector<Vertex> copy(vertices.begin(), vertices.end());
+    const auto pass = [&](GLenum operation, const vec4& color) {
+        for (Vertex& v : copy) v.rgb = color;
+        glLogicOp(operation);
+        emit_shape(shape, copy, {});
+    };
+    glDisable(GL_LIGHTING);
+    glEnable(GL_COLOR_LOGIC_OP);
+    glDepthMask(GL_FALSE);
+    pass(GL_AND, masked({1, 1, 1, 1}, ~mask));
+    glDepthMask(state().depth_write);
+    pass(GL_OR, masked(rgb, mask));
+    glLogicOp(GL_COPY);
+    glDisable(GL_COLOR_LOGIC_OP);
+    return true;
+}
+
 void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
     const auto lit =
         std::count_if(vertices.begin(), vertices.end(), [](const Vertex& v) { return v.is_lit; });
     const bool colored = state().bound.color_mode != LMC_COLOR && state().bound.is_lit();
     const Emission e{.lit = lit > 0 || colored,
                      .mixed = lit > 0 && std::size_t(lit) < vertices.size() && !colored};
+    if (has_part_of_channel(planes_now().rgb_mask)) {
+        if (draw_with_part_of_channel(shape, vertices, e.lit)) return;
+        warn(
+            "wmpack: the mask has some bits of a channel; with several colours, light, texture or "
+            "blending the machine writes whole channels");
+    }
     (e.lit ? glEnable : glDisable)(GL_LIGHTING);
     emit_shape(shape, vertices, e);
     if (e.mixed) emit_material(true, {});

@@ -89,6 +89,23 @@ TEST_F(IrisGlColors, OverlayPlanesCoverThePictureWhereTheyAreNotZero) {
     EXPECT_EQ(index_at(2, 2), RED);
 }
 
+TEST_F(IrisGlColors, TheRgbWriteMaskKeepsEachBitOutsideIt) {
+    RGBmode();
+    for (const unsigned mask : {0u, 0xFFu, 0x0F00F0u, 0x81FF3Cu, 0xFFFFFFu}) {
+        wmpack(0xFFFFFFFF);
+        cpack(0xFF5A6B7C);
+        clear();
+        wmpack(0xFF000000 | mask);
+        cpack(0xFFC3A597);
+        rectfi(2, 2, 9, 9);
+        EXPECT_EQ(shown(5, 5), (0x5A6B7Cu & ~mask) | (0xC3A597u & mask)) << mask;
+        EXPECT_EQ(shown(11, 5), 0x5A6B7Cu);
+        clear();
+        EXPECT_EQ(shown(11, 5), (0x5A6B7Cu & ~mask) | (0xC3A597u & mask)) << mask;
+    }
+    wmpack(0xFFFFFFFF);
+}
+
 // From the top: pop-up, overlay, picture, underlay.
 TEST_F(IrisGlColors, EachKindOfPlanesHasItsPlaceInTheStack) {
     color(0);
