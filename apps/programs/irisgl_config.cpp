@@ -33,7 +33,10 @@ std::string words_of(const IrisGlOptions& options) {
     std::string words;
     if (options.cflags || all) {
         const std::string headers = folder_with({"include/irisgl"}, "gl/gl.h").string();
-        words = fmt::format("-std=gnu89 -fcommon -w -I{} -I{}/gl", headers, headers);
+        words = fmt::format(
+            "-std=gnu99 -fgnu89-inline -fcommon -w -Wno-implicit-int "
+            "-Wno-implicit-function-declaration -I{} -I{}/gl",
+            headers, headers);
     }
     if (options.libs || all) {
         const std::string library =
