@@ -9,6 +9,9 @@
 
 #include <sys/resource.h>
 
+#include <array>
+#include <fstream>
+
 namespace gw::image {
 namespace {
 
@@ -45,56 +48,71 @@ bool reads(DecoderProcess& decoder, const std::filesystem::path& file) {
     }
 }
 
-class DamagedPicture : public testing::TestWithParam<const char*> {};
+constexpr std::array formats{"sgi", "dpx", "cin",  "tga",  "bmp",   "tif", "jpg",
+                             "gif", "ppm", "hdr",  "exr",  "rla",   "ico", "iff",
+                             "pic", "jp2", "webp", "heic", "zfile", "fits"};
+constexpr int most_not_written = 5;  // by Debian 12's OpenImageIO: three
+
+/// Runs check(file, whole, decoder) for a sample of each format, with one decoder for all.
+template <typename Check>
+void for_samples(const Check& check) {
+    const Folder folder;
+    DecoderProcess decoder;
+    int not_written = 0;
+    for (const char* format : formats) {
+        SCOPED_TRACE(format);
+        const auto file = folder / (std::string("a.") + format);
+        if (write_sample(file))
+            check(file, bytes_of(file), decoder);
+        else
+            ++not_written;
+    }
+    EXPECT_LE(not_written, most_not_written);
+}
+
+void write(const std::filesystem::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+}
 
 }  // namespace
 
-TEST_P(DamagedPicture, IsATextureOrAnErrorOfOneLine) {
-    const Folder folder;
-    const auto file = folder / (std::string("a.") + GetParam());
-    if (!write_sample(file)) GTEST_SKIP() << "not written by this OpenImageIO";
-    const std::string whole = bytes_of(file);
-    DecoderProcess decoder;
-    const bool readable = reads(decoder, file);  // some readers refuse what the writers write
-    for (std::uint32_t seed = 0; seed < 25; ++seed) {
-        folder.write(file.filename().string(), damaged(whole, seed));
-        try {
-            decoder.read(file);
-        } catch (const Error& error) {
-            const std::string message = error.what();
-            EXPECT_EQ(message.find('\n'), message.npos) << "seed " << seed;
-            EXPECT_LT(message.size(), 400u) << "seed " << seed;
-        }
-    }
-    folder.write(file.filename().string(), whole);
-    EXPECT_EQ(reads(decoder, file), readable);
+TEST(DamagedPictures, AreTexturesOrErrorsOfOneLine) {
+    for_samples(
+        [](const std::filesystem::path& file, const std::string& whole, DecoderProcess& decoder) {
+            // some readers refuse what the writers write
+            const bool readable = reads(decoder, file);
+            for (std::uint32_t seed = 0; seed < 25; ++seed) {
+                write(file, damaged(whole, seed));
+                try {
+                    decoder.read(file);
+                } catch (const Error& error) {
+                    const std::string message = error.what();
+                    EXPECT_EQ(message.find('\n'), message.npos) << "seed " << seed;
+                    EXPECT_LT(message.size(), 400u) << "seed " << seed;
+                }
+            }
+            write(file, whole);
+            EXPECT_EQ(reads(decoder, file), readable);
+        });
 }
 
-TEST_P(DamagedPicture, ThatIsCutIsAnErrorOrTheWholePicture) {
-    const Folder folder;
-    const auto file = folder / (std::string("a.") + GetParam());
-    if (!write_sample(file)) return;  // not every OpenImageIO writes all
-    const std::string whole = bytes_of(file);
-    DecoderProcess decoder;
-    if (!reads(decoder, file)) return;  // some readers refuse what the writers write
-    const Texels expected = decoder.read(file);
-    for (const std::size_t part : {1u, 7u, 20u, 32u, 45u, 57u, 60u, 62u, 63u}) {
-        folder.write(file.filename().string(), whole.substr(0, whole.size() * part / 64));
-        try {
-            const Texels found = decoder.read(file);
-            EXPECT_EQ(found.width, expected.width) << part;
-            EXPECT_TRUE(found.rgba == expected.rgba) << part << " of 64 parts";
-        } catch (const Error& error) {
-            EXPECT_NE(std::string(error.what()), "") << part;
-        }
-    }
+TEST(DamagedPictures, ThatAreCutAreErrorsOrTheWholePicture) {
+    for_samples(
+        [](const std::filesystem::path& file, const std::string& whole, DecoderProcess& decoder) {
+            if (!reads(decoder, file)) return;  // some readers refuse what the writers write
+            const Texels expected = decoder.read(file);
+            for (const std::size_t part : {1u, 7u, 20u, 32u, 45u, 57u, 60u, 62u, 63u}) {
+                write(file, whole.substr(0, whole.size() * part / 64));
+                try {
+                    const Texels found = decoder.read(file);
+                    EXPECT_EQ(found.width, expected.width) << part;
+                    EXPECT_TRUE(found.rgba == expected.rgba) << part << " of 64 parts";
+                } catch (const Error& error) {
+                    EXPECT_NE(std::string(error.what()), "") << part;
+                }
+            }
+        });
 }
-
-INSTANTIATE_TEST_SUITE_P(All, DamagedPicture,
-                         testing::Values("sgi", "dpx", "cin", "tga", "bmp", "tif", "jpg", "gif",
-                                         "ppm", "hdr", "exr", "rla", "ico", "iff", "pic", "jp2",
-                                         "webp", "heic", "zfile", "fits"),
-                         [](const auto& test) { return std::string(test.param); });
 
 TEST(DecoderProcess, LimitsMemory) {
     rusage before{}, after{};
