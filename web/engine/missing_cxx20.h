@@ -38,6 +38,10 @@ auto called(Predicate& predicate) {
     return [&](const auto& e) -> bool { return std::invoke(predicate, e); };
 }
 template <class Range, class Predicate>
+auto find_if(Range&& range, Predicate predicate) {
+    return std::find_if(std::begin(range), std::end(range), called(predicate));
+}
+template <class Range, class Predicate>
 bool any_of(const Range& range, Predicate predicate) {
     return std::any_of(std::begin(range), std::end(range), called(predicate));
 }
