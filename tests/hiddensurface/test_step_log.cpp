@@ -130,40 +130,34 @@ void for_each_log(const Visit& visit) {
 
 }  // namespace
 
-TEST(StepLogOfEveryAlgorithm, ObeysTheSchemaOnEveryLine) {
-    const StepSchema schema;
-    EXPECT_FALSE(schema.holds_for(R"({"step":1})"));
-    EXPECT_FALSE(schema.holds_for(
-        R"({"step":1,"level":"line","kind":"draw","test":"a","result":"b","pieces":["x"]})"));
-    std::set<std::string> names;
-    for_each_log([&](const std::string& name, const Trial&, const Log& log) {
-        names.insert(name);
-        EXPECT_GT(log.lines.size(), 3u) << name;
-        // The lines of one kind are alike: some hundred of them tell.
-        const std::size_t every = log.lines.size() / 300 + 1;
-        for (std::size_t i = 0; i < log.lines.size(); ++i)
-            if (i % every == 0 || i + 1 == log.lines.size()) {
-                ASSERT_TRUE(schema.holds_for(log.lines[i])) << name << ": " << log.lines[i];
-            }
-    });
-    EXPECT_EQ(names.size(), 20u);
+namespace {
+
+void expect_schema(const StepSchema& schema, const std::string& name, const Log& log) {
+    EXPECT_GT(log.lines.size(), 3u) << name;
+    // The lines of one kind are alike: some hundred of them tell.
+    const std::size_t every = log.lines.size() / 300 + 1;
+    for (std::size_t i = 0; i < log.lines.size(); ++i)
+        if (i % every == 0 || i + 1 == log.lines.size()) {
+            ASSERT_TRUE(schema.holds_for(log.lines[i])) << name << ": " << log.lines[i];
+        }
+}
+
+/// Says the steps whose test and result are new, and some of the others.
+void say(const std::string& name, const Log& log, std::set<std::string>& said) {
+    for (const Step& step : log.steps) {
+        if (!said.insert(step.test + "." + step.result).second && said.size() % 7 != 0) continue;
+        for (const char* language : {"en", "ja"}) {
+            std::string sentence;
+            ASSERT_NO_THROW(sentence = sentence_of(step, log.grid, language)) << name;
+            EXPECT_EQ(sentence.find_first_of("{}"), sentence.npos) << sentence;
+        }
+    }
 }
 
 // A sentence for every test and result, and none that nobody says, but for five answers that only
 // rounding could give.
-TEST(StepLogOfEveryAlgorithm, HasWordsForEveryStep) {
-    std::set<std::string> said, known;
-    for_each_log([&](const std::string& name, const Trial&, const Log& log) {
-        for (const Step& step : log.steps) {
-            if (!said.insert(step.test + "." + step.result).second && said.size() % 7 != 0)
-                continue;
-            for (const char* language : {"en", "ja"}) {
-                std::string sentence;
-                ASSERT_NO_THROW(sentence = sentence_of(step, log.grid, language)) << name;
-                EXPECT_EQ(sentence.find_first_of("{}"), sentence.npos) << sentence;
-            }
-        }
-    });
+void expect_words(const std::set<std::string>& said) {
+    std::set<std::string> known;
     const Json all = Json::parse(step_words());
     for (const auto& [test, results] : all.items())
         for (const auto& [result, words] : results.items()) known.insert(test + "." + result);
@@ -174,20 +168,37 @@ TEST(StepLogOfEveryAlgorithm, HasWordsForEveryStep) {
     for (const std::string& key : said) EXPECT_TRUE(known.count(key)) << key << " has no words";
 }
 
-TEST(StepLogOfEveryAlgorithm, NamesNoPieceBeforeItIsMade) {
+void expect_pieces_once_made(const std::string& name, const Log& log) {
+    std::set<std::string> known;
+    const Json header = Json::parse(log.lines[0]);
+    for (const Json& polygon : header["polygons"]) {
+        known.insert(std::to_string(polygon["id"].get<int>()));
+        for (const Json& piece : polygon["pieces"]) known.insert(piece["name"]);
+    }
+    for (const Step& step : log.steps) {
+        for (const std::string& piece : step.pieces)
+            ASSERT_TRUE(known.count(piece)) << name << ": " << piece;
+        for (const NamedOutline& piece : step.made) known.insert(piece.name);
+    }
+}
+
+}  // namespace
+
+// One test, as the runs take longer than all that is asked about them.
+TEST(StepLogOfEveryAlgorithm, ObeysTheSchemaHasWordsAndNamesNoPieceBeforeItIsMade) {
+    const StepSchema schema;
+    EXPECT_FALSE(schema.holds_for(R"({"step":1})"));
+    EXPECT_FALSE(schema.holds_for(
+        R"({"step":1,"level":"line","kind":"draw","test":"a","result":"b","pieces":["x"]})"));
+    std::set<std::string> names, said;
     for_each_log([&](const std::string& name, const Trial&, const Log& log) {
-        std::set<std::string> known;
-        const Json header = Json::parse(log.lines[0]);
-        for (const Json& polygon : header["polygons"]) {
-            known.insert(std::to_string(polygon["id"].get<int>()));
-            for (const Json& piece : polygon["pieces"]) known.insert(piece["name"]);
-        }
-        for (const Step& step : log.steps) {
-            for (const std::string& piece : step.pieces)
-                ASSERT_TRUE(known.count(piece)) << name << ": " << piece;
-            for (const NamedOutline& piece : step.made) known.insert(piece.name);
-        }
+        names.insert(name);
+        expect_schema(schema, name, log);
+        say(name, log, said);
+        expect_pieces_once_made(name, log);
     });
+    EXPECT_EQ(names.size(), 20u);
+    expect_words(said);
 }
 
 // Those of surfaces; the algorithm's counters alone, as the machine counts later.
