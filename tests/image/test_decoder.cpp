@@ -53,15 +53,15 @@ constexpr std::array formats{"sgi", "dpx", "cin",  "tga",  "bmp",   "tif", "jpg"
                              "pic", "jp2", "webp", "heic", "zfile", "fits"};
 constexpr int most_not_written = 5;  // by Debian 12's OpenImageIO: three
 
-/// Runs check(file, whole, decoder) for a sample of each format, with one decoder for all.
+/// Runs check(file, whole, decoder) for a sample of each format, with a decoder of its own.
 template <typename Check>
 void for_samples(const Check& check) {
     const Folder folder;
-    DecoderProcess decoder;
     int not_written = 0;
     for (const char* format : formats) {
         SCOPED_TRACE(format);
         const auto file = folder / (std::string("a.") + format);
+        DecoderProcess decoder;
         if (write_sample(file))
             check(file, bytes_of(file), decoder);
         else
