@@ -39,7 +39,7 @@ it('begins the machine while the page is still read', async () => {
 it('turns the eye by a drag, and keeps it in the link', async () => {
   await open('#lang=en&scene=hidden/cycle.toml&algorithm=bsp,newell&size=160x120');
   await thePage().waitForSelector('.stack');
-  expect(await thePage().$$('section')).toHaveLength(2);
+  expect(await thePage().$$('section.pane')).toHaveLength(2);
   expect(await address()).not.toContain('eye=');
   const box = (await (await thePage().$('.stack'))!.boundingBox())!;
   await thePage().mouse.move(box.x + 40, box.y + 40);
