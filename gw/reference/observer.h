@@ -1,5 +1,6 @@
 // What the reference machine reports to an observer: each fragment, the test that killed it, what
-// it changed, and the depths that its textures were compared with. Does not store anything: inspect/ does.
+// it changed, and the depths that its textures were compared with. Does not store anything:
+// inspect/ does.
 #pragma once
 
 #include "gw/planes.h"

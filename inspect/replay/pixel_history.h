@@ -1,6 +1,6 @@
 // The events of a pixel, in order; and the fragments of every pixel, counted by their fate. From
-// the reference machine, exact, in one run. Pixels are those of the window, or
-// of one surface. Does not draw pictures.
+// the reference machine, exact, in one run. Pixels are those of the window, or of one
+// surface. Does not draw pictures.
 #pragma once
 
 #include "gw/reference/observer.h"
