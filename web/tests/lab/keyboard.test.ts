@@ -1,6 +1,6 @@
 // Every exhibit by keys only: Tab, Enter, Space and arrows.
 import { expect, it } from 'vitest';
-import { inChromium, open, thePage } from './page';
+import { inChromium, open, picture, thePage } from './page';
 
 inChromium();
 const keys = async (...all: Parameters<ReturnType<typeof thePage>['keyboard']['press']>[0][]) => {
@@ -29,8 +29,6 @@ async function tabTo(selector: string): Promise<void> {
   }
   throw new Error(`Tab does not reach ${selector}`);
 }
-
-const picture = 'canvas, .question img';
 
 it('enters every exhibit, and its link opens it again', async () => {
   await open('#lang=en&size=64x48');

@@ -1,7 +1,7 @@
 // The lecture's links into the lab: every command has one, and it opens what the command shows.
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { inChromium, open, thePage } from './page';
+import { inChromium, open, picture, thePage } from './page';
 
 const docs = `${process.env['GW_SCENES'] ?? '../scenes'}/../docs`;
 const lecture = (name: string): string => readFileSync(`${docs}/${name}`, 'utf8');
@@ -51,8 +51,7 @@ describe("the lecture's links into the lab", () => {
   it.each(everyLink)('opens %s', async (link) => {
     await open(link);
     const wanted = parts(link);
-    const isQuiz = wanted.get('exhibit') === 'quiz'; // it has scenes of its own
-    await thePage().waitForSelector(isQuiz ? '.quiz svg, .quiz canvas' : 'canvas');
+    await thePage().waitForSelector(picture);
     expect(await thePage().$('[role=alert]')).toBeNull();
     const shown = await thePage().evaluate(() => ({
       exhibit: new URLSearchParams(location.hash.slice(1)).get('exhibit'),

@@ -50,6 +50,21 @@ export async function open(hash: string, width = 1280, height = 720): Promise<vo
   await page.waitForSelector('header');
 }
 
+/** What every exhibit shows, the quiz as well. */
+export const picture = 'canvas, .question img';
+
+/** Chooses the exhibit by the word on its tab. */
+export const enter = (title: string) =>
+  page.$$eval(
+    'nav > button',
+    (tabs, title) => {
+      const tab = tabs.find((each) => each.textContent === title);
+      if (!tab) throw new Error(`no tab ${title}`);
+      tab.click();
+    },
+    title,
+  );
+
 export interface LabWindow {
   machine: Machine;
   facts: ReturnType<Methods['start']>;

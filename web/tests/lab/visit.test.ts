@@ -1,6 +1,6 @@
 // A visit as a lecturer makes one: own files, Back, a window that becomes narrower.
 import { expect, it } from 'vitest';
-import { inChromium, open, thePage } from './page';
+import { enter, inChromium, open, thePage } from './page';
 
 inChromium();
 /** By name and text. */
@@ -46,7 +46,7 @@ it.each([
 it('goes back to the exhibit and the scene before', async () => {
   await open('#lang=en&exhibit=hidden&size=64x48&scene=hidden/five.toml');
   await thePage().waitForSelector('.stack');
-  await thePage().click('nav > button:nth-of-type(4)');
+  await enter('Passes');
   await thePage().waitForSelector('figure.many canvas');
   await thePage().select('select.scene', 'rings.toml');
   await thePage().waitForFunction(() => location.hash.includes('rings.toml'));
