@@ -80,11 +80,11 @@ int report(ExitCode code, std::string_view what) {
 
 void add_commands(CLI::App& app, std::vector<Command>& commands) {
     for (auto add :
-         {add_render,      add_passes,    add_record,       add_replay, add_verify, add_diff,
-          add_pixel,       add_maps,      add_inspect,      add_hidden, add_play,   add_quiz,
-          add_grade,       add_autograde, add_fragments,    add_styles, add_cast,   add_compare,
-          add_radiosity,   add_figures,   add_study,        add_golden, add_info,   add_describe,
-          add_conformance, add_gl,        add_irisgl_config}) {
+         {add_render,   add_join,        add_passes,    add_record,       add_replay, add_verify,
+          add_diff,     add_pixel,       add_maps,      add_inspect,      add_hidden, add_play,
+          add_quiz,     add_grade,       add_autograde, add_fragments,    add_styles, add_cast,
+          add_compare,  add_radiosity,   add_figures,   add_study,        add_golden, add_info,
+          add_describe, add_conformance, add_gl,        add_irisgl_config}) {
         commands.push_back(add(app));
     }
 #ifdef GW_WITH_WINDOW

@@ -98,8 +98,7 @@ AdaptivePicture adaptive_picture(const raytrace::Tracer& tracer, const scene::Sc
                                            : sampler.at_centre(ids[i], x, y, counts);
         out.picture.color[i] = raytrace::stored(color, profile.color_bits);
     };
-    out.picture.counts =
-        raytrace::for_pixels(view.width, view.height, tracer.options().threads, draw);
+    out.picture.counts = raytrace::for_pixels(view, tracer.options().threads, draw);
     return out;
 }
 
@@ -108,7 +107,10 @@ void render_adaptive(Machine& machine, const scene::Scene& scene, const scene::V
     const raytrace::World world(scene, options.threads);
     const raytrace::Tracer tracer(scene, world, view,
                                   {.depth = options.depth, .threads = options.threads});
-    const auto ids = scene::draw_item_buffer(machine, raytrace::drawn_scene(scene), view, {});
+    // All rows: a pixel looks at its neighbours.
+    scene::View whole = view;
+    whole.only_rows.reset();
+    const auto ids = scene::draw_item_buffer(machine, raytrace::drawn_scene(scene), whole, {});
     const AdaptivePicture drawn =
         adaptive_picture(tracer, scene, view, ids, samples, machine.profile());
     if (options.counts) options.counts->add(drawn.picture.counts);

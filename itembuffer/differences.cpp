@@ -79,7 +79,7 @@ std::vector<std::uint64_t> shadows_of(const scene::Scene& scene, const raytrace:
                                       const scene::View& view, int threads) {
     const scene::PixelRays rays(view);
     std::vector<std::uint64_t> shadows(std::size_t(view.width) * std::size_t(view.height));
-    raytrace::for_pixels(view.width, view.height, threads, [&](int x, int y, raytrace::RayCounts&) {
+    raytrace::for_pixels(view, threads, [&](int x, int y, raytrace::RayCounts&) {
         shadows[view.index(x, y)] = shadows_at(scene, world, rays.through(x + 0.5, y + 0.5));
     });
     return shadows;

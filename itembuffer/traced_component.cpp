@@ -31,8 +31,7 @@ TracedComponent traced_component(const raytrace::Tracer& tracer, const scene::Sc
         color = raytrace::stored(seen * tracer.traced(s, counts), profile.color_bits);
         color[3] = 0;
     };
-    component.counts =
-        raytrace::for_pixels(view.width, view.height, tracer.options().threads, trace);
+    component.counts = raytrace::for_pixels(view, tracer.options().threads, trace);
     return component;
 }
 

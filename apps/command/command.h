@@ -46,6 +46,7 @@ struct Command {
 };
 
 Command add_render(CLI::App& app);
+Command add_join(CLI::App& app);
 Command add_passes(CLI::App& app);
 Command add_record(CLI::App& app);
 Command add_replay(CLI::App& app);

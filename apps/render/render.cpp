@@ -3,8 +3,10 @@
 #include "apps/command/peak_memory.h"
 #include "apps/command/terminal.h"
 #include "apps/picture/picture_options.h"
+#include "apps/render/draw_part.h"
 #include "apps/render/film.h"
 #include "apps/render/frame_files.h"
+#include "apps/render/tone_options.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -49,28 +51,10 @@ struct RenderOptions {
     int turntable = 0;     ///< pictures; 0: none
     std::string frames{};  ///< "A-B": only these pictures of the turntable
     std::string film{};    ///< "A-B": these pictures of the film; empty: none
+    std::string part{};    ///< "I/N": only this part of the picture; empty: all of it
     FilmOptions film_options{};
     bool memory = false;  ///< prints peak memory
 };
-
-void add_tone_options(CLI::App& command, image::Tone& tone) {
-    command
-        .add_option_function<std::string>(
-            "--gamma",
-            [&tone](const std::string& word) {
-                tone.gamma = number_from("--gamma", word, 0.1, 10);
-            },
-            "The picture as v^(1/G) (default 1: as in the frame buffer)")
-        ->type_name("G");
-    command
-        .add_option_function<std::string>(
-            "--exposure",
-            [&tone](const std::string& word) {
-                tone.exposure = number_from("--exposure", word, -32, 32);
-            },
-            "The picture times 2^STOPS (default 0)")
-        ->type_name("STOPS");
-}
 
 void add_film_options(CLI::App& command, RenderOptions& options) {
     FilmOptions& film = options.film_options;
@@ -126,6 +110,11 @@ void add_options(CLI::App& command, RenderOptions& options) {
         ->type_name("A-B");
     add_film_options(command, options);
     command
+        .add_option(
+            "--part", options.part,
+            "Only part I of N of the picture, as FILE.part: gw join makes the picture of all")
+        ->type_name("I/N");
+    command
         .add_option("--components", options.files.components,
                     "Also write a picture of each component, and their sum")
         ->type_name("DIR");
@@ -174,6 +163,19 @@ void check_film(const RenderOptions& options) {
     range_from("--film", options.film, 1, most_film_pictures);
 }
 
+void check_part(const RenderOptions& options) {
+    share_from("--part", options.part);
+    const FrameFiles& files = options.files;
+    if (files.tone != image::Tone{})
+        throw UsageError("--gamma or --exposure with --part; expected them with gw join");
+    if (options.turntable > 0 || !options.film.empty())
+        throw UsageError("--part with --turntable or --film; expected one picture, or --frames");
+    if (files.picture.extension() != ".part")
+        throw UsageError("--part writes no picture: --output '" + files.picture.string() +
+                         "'; expected FILE.part");
+    image::check_target(files.picture);
+}
+
 // Wrong words are a UsageError. Finds files that cannot be written before long work.
 void check(const RenderOptions& options) {
     if (!options.frames.empty() && options.turntable == 0)
@@ -181,13 +183,17 @@ void check(const RenderOptions& options) {
     if (options.turntable > 0) frames_of(options);
     check_film(options);
     const FrameFiles& files = options.files;
-    check_picture_target(files.picture);
+    if (options.part.empty())
+        check_picture_target(files.picture);
+    else
+        check_part(options);
     const bool more_files = !files.components.empty() || !files.planes.empty() ||
                             !files.manifest.empty() || !files.counters.empty();
-    if ((options.turntable > 0 || !options.film.empty()) && more_files) {
+    const bool one_picture = options.turntable == 0 && options.film.empty() && options.part.empty();
+    if (!one_picture && more_files) {
         throw UsageError(
-            "--turntable and --film cannot go with --components, --planes, --manifest or --counters; expected "
-            "one picture for these");
+            "--turntable, --film and --part cannot go with --components, --planes, --manifest or "
+            "--counters; expected one whole picture for these");
     }
     check_different(files);
     if (!files.components.empty() && !render::renderer_named(options.picture.renderer).pass_owner) {
@@ -215,6 +221,8 @@ int render(const RenderOptions& options, Session& session) {
     } else if (options.turntable > 0) {
         draw_turntable(drawing, options.files, options.turntable, frames_of(options), progress,
                        session);
+    } else if (!options.part.empty()) {
+        draw_part(drawing, share_from("--part", options.part), options.files.picture, session);
     } else {
         draw_frame(drawing, options.files, session, options.picture.quiet);
     }

@@ -157,8 +157,9 @@ CommandList scan_line_picture(const scene::Scene& scene, const scene::View& view
     const Shader shader(input, jitter);
     Counts counts;
     StepLog none;
-    for_visible_spans(input, counts, none,
-                      [&](const std::vector<VisibleSpan>& line) { add_line(list, shader, line); });
+    for_visible_spans(input, counts, none, [&](const std::vector<VisibleSpan>& line) {
+        if (view.rows().contains(line.front().run.y)) add_line(list, shader, line);
+    });
     return list;
 }
 

@@ -81,7 +81,10 @@ void OutputSet::commit() {
 }
 
 void InputFiles::add(const std::filesystem::path& file) {
-    if (const auto known = identity(file)) files_.insert(*known);
+    const auto known = identity(file);
+    if (!known) return;
+    files_.insert(*known);
+    names_.push_back(file);
 }
 
 void InputFiles::check(const std::filesystem::path& target) const {

@@ -23,7 +23,11 @@ public:
     /// of the files, by any name or link.
     void check(const std::filesystem::path& target) const;
 
+    /// The names that were added, in their order.
+    const std::vector<std::filesystem::path>& names() const { return names_; }
+
 private:
+    std::vector<std::filesystem::path> names_;
     std::set<std::pair<std::uint64_t, std::uint64_t>> files_;  ///< device, number
 };
 

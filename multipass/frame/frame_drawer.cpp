@@ -107,8 +107,17 @@ FrameRules FrameDrawer::rules() {
     return rules;
 }
 
+/// Passes that look at the whole window find nothing in rows that are not drawn.
+void FrameDrawer::clear_undrawn_rows() {
+    CommandList list;
+    begin_pass(list, "clear undrawn rows");
+    list.add(Clear{.planes = PlaneMask(mask_of(Plane::Depth) | mask_of(Plane::Stencil))});
+    machine_.execute(list);
+}
+
 /// False: a shadow count may have overflowed.
 bool FrameDrawer::attempt() {
+    if (placed_.view.only_rows) clear_undrawn_rows();
     const std::size_t before = machine_.passes().size();
     Frame frame{placed_, shadows_, steps_, rules(), traced_};
     TiedPixels tied;

@@ -31,6 +31,7 @@ public:
 
 private:
     void move(const scene::View& view, const Sample& sample);
+    void clear_undrawn_rows();
     bool attempt();
     void count_winners_of(Frame& frame, std::size_t end, TiedPixels& tied);
     void run(const Frame& frame, std::size_t first, std::size_t last);

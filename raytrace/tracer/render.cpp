@@ -76,7 +76,7 @@ RaytracedPicture raytraced_picture(const Tracer& tracer, const scene::Scene& sce
                       scene::PixelRays(view),
                       scene::place_in_pixel(jitter, profile.subpixel_bits)};
     picture.counts = for_pixels(
-        view.width, view.height, tracer.options().threads,
+        view, tracer.options().threads,
         [&](int x, int y, RayCounts& counts) { trace_pixel(frame, x, y, picture, counts); });
     return picture;
 }
@@ -115,17 +115,18 @@ double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Pro
            max_of_bits(profile.color_bits);
 }
 
-RayCounts for_pixels(int width, int height, int threads,
+RayCounts for_pixels(const scene::View& view, int threads,
                      const std::function<void(int, int, RayCounts&)>& body) {
     constexpr int side = 16;
-    const int columns = (width + side - 1) / side, rows = (height + side - 1) / side;
+    const auto [first, end] = view.rows();
+    const int columns = (view.width + side - 1) / side, rows = (end - first + side - 1) / side;
     std::vector<RayCounts> squares(std::size_t(columns) * std::size_t(rows));
     const CancelFlag cancel = cancel_flag();
     parallel_for(squares.size(), threads, [&](std::size_t i, int) {
         end_if_canceled(cancel);
-        const int x0 = int(i) % columns * side, y0 = int(i) / columns * side;
-        for (int y = y0; y < std::min(y0 + side, height); ++y)
-            for (int x = x0; x < std::min(x0 + side, width); ++x) body(x, y, squares[i]);
+        const int x0 = int(i) % columns * side, y0 = first + int(i) / columns * side;
+        for (int y = y0; y < std::min(y0 + side, end); ++y)
+            for (int x = x0; x < std::min(x0 + side, view.width); ++x) body(x, y, squares[i]);
     });
     RayCounts sum;
     for (const RayCounts& square : squares) sum.add(square);

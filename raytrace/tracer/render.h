@@ -37,9 +37,9 @@ dvec3 seen_color(const Tracer& tracer, const Surface& surface, const scene::Scen
 /// The part of the light that passes the scene's fog from this eye-space point, 0 .. 1.
 double seen_through_fog(const scene::Scene& scene, const dvec3& p_eye, const Profile& profile);
 
-/// Calls body(x, y, counts) for every pixel on `threads` threads and sums the counts. Square by
-/// square: neighbouring rays meet the same nodes.
-RayCounts for_pixels(int width, int height, int threads,
+/// Calls body(x, y, counts) for every pixel of the view's rows on `threads` threads and sums the
+/// counts. Square by square: neighbouring rays meet the same nodes.
+RayCounts for_pixels(const scene::View& view, int threads,
                      const std::function<void(int, int, RayCounts&)>& body);
 
 /// A colour as a frame buffer holds it: clamped, to nearest; alpha full.

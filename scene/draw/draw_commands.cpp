@@ -42,6 +42,8 @@ State view_state(const View& view) {
     State state;
     state.projection = view.clip_from_eye;
     state.viewport = {0, 0, view.width, view.height};
+    if (view.only_rows)
+        state.scissor = {true, {0, view.rows().first, view.width, view.rows().count()}};
     state.depth = {.test = true, .func = DepthFunc::Less, .mask = true};
     state.color_source = ColorSource::Lighting;
     state.lighting = {.local_viewer = !is_orthographic(view), .two_side = true};
@@ -119,7 +121,7 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     state.color_source = ColorSource::PolygonId;
     state.shade_model = ShadeModel::Flat;
     state.jitter = options.jitter;
-    state.scissor = options.scissor;
+    if (options.scissor.test) state.scissor = options.scissor;
     state.clip_planes[0] = options.clip;
     CommandList list;
     list.commands.reserve(3 + scene.objects.size());

@@ -65,7 +65,7 @@ struct IdPass {
     int shift = 0;             ///< identifiers are shifted right by this many bits
     bool opaque_only = false;  ///< objects with d < 1 are left out
     JitterState jitter;        ///< [K4a]
-    ScissorState scissor;      ///< also of the clear
+    ScissorState scissor;      ///< also of the clear; off: the view's rows
     ClipPlane clip;            ///< in eye space: a hemicube's horizon [F2.2]
 };
 /// The item buffer [K4i]: clears colour and depth and draws the identifier of every polygon instead

@@ -8,8 +8,17 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <optional>
 
 namespace gw::scene {
+
+/// Rows of a picture, from the bottom: first .. end - 1.
+struct Rows {
+    int first = 0, end = 0;
+    int count() const { return end - first; }
+    bool contains(int y) const { return first <= y && y < end; }
+    bool operator==(const Rows&) const = default;
+};
 
 /// The projection of a scene into a window of width x height pixels. `camera` has its near and far
 /// plane filled in.
@@ -18,7 +27,10 @@ struct View {
     int width = 0, height = 0;
     dmat4 eye_from_world{1};
     dmat4 clip_from_eye{1};
+    /// Only these rows are wanted: pixels of others may have any value. None: all.
+    std::optional<Rows> only_rows{};
 
+    Rows rows() const { return only_rows.value_or(Rows{0, height}); }
     /// Of the pixel x, y in rows from the bottom.
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
 };

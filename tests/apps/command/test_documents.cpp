@@ -1,5 +1,5 @@
 // The commands in README.md work as they stand there, and those in these pages of docs/: commands,
-// hiddensurfaces, step_logs, exercises, recordings, conformance, lecture.
+// many_machines, hiddensurfaces, step_logs, exercises, recordings, conformance, lecture.
 #include "test_paths.h"
 #include "tests/apps/support/examples.h"
 
@@ -26,6 +26,12 @@ TEST_F(Documents, ReadmesTourWorks) {
 TEST_F(Documents, CommandReferenceWorks) {
     auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/commands.md"));
     std::erase_if(commands, waits_for_a_user);
+    EXPECT_GE(commands.size(), 5u);
+    expect_to_work(commands);
+}
+
+TEST_F(Documents, ManyMachinesCommandsWork) {
+    const auto commands = examples(bytes_of(GW_SOURCE_DIR "/docs/many_machines.md"));
     EXPECT_GE(commands.size(), 5u);
     expect_to_work(commands);
 }
