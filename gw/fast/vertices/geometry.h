@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gw/counters.h"
+#include "gw/fast/vertices/unset_vector.h"
 #include "gw/mesh.h"
 #include "gw/stages/resolve.h"
 #include "gw/state.h"
@@ -114,8 +115,8 @@ struct GeometrySet {
     GeometryState state;
     ViewportTransform viewport;
     std::vector<GeometryPart> parts;
-    std::vector<SnappedVertex> at;
-    std::vector<double> w;
+    UnsetVector<SnappedVertex> at;
+    UnsetVector<double> w;
     std::vector<SetupPrimitive> primitives;
     std::uint32_t triangle_count = 0;  ///< the first ones are triangles
     /// By primitive of an outline: its polygon's offset_slope(), if the state keeps it.

@@ -75,6 +75,11 @@ inline Vec4 transform(const dmat4& m, const Vec4& v) {
 inline Vec4 given_texcoords(const Draw& draw, std::size_t of,
                             std::span<const std::uint32_t> indices) {
     const D64 d;
+    const MeshData& mesh = draw.mesh->data();
+    if ((of == 0 ? mesh.texcoords : mesh.more_texcoords[of - 1].st).empty()) {
+        const dvec4 one = given_texcoord(draw, indices[0], of);
+        return {{all(one.x), all(one.y), all(one.z), all(one.w)}};
+    }
     alignas(64) double lanes[4][8];
     for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
         const dvec4 v = given_texcoord(draw, indices[i < indices.size() ? i : 0], of);
@@ -97,7 +102,20 @@ struct TexgenLanes {
                                                              : reflected(u, n));
     }
 
+    /// All coordinates lie on planes of one kind.
+    bool all_are(CoordinateMode mode) const {
+        return std::ranges::all_of(state.coordinates,
+                                   [&](const auto& of_one) { return of_one.mode == mode; });
+    }
+    Vec4 on_planes(const Vec3& at) const {
+        const auto on = [&](std::size_t i) { return dot(state.coordinates[i].plane, at); };
+        return {{on(0), on(1), on(2), on(3)}};
+    }
     Vec4 by_coordinate() const {
+        if (all_are(CoordinateMode::EyeLinear)) return on_planes(eye_position(p, indices));
+        return one_by_one();
+    }
+    Vec4 one_by_one() const {
         Vec4 out = given_texcoords(*p.draw, of, indices);
         for (int i = 0; i < 4; ++i) {
             const auto& [mode, plane] = state.coordinates[std::size_t(i)];

@@ -70,8 +70,8 @@ struct PartVertices {
 
     bool is_clipped() const { return part.clipped != clipped_end; }
     /// The part's elements of a vector by vertex.
-    template <typename T>
-    std::span<T> of(std::vector<T>& values) const {
+    template <typename T, typename Allocator>
+    std::span<T> of(std::vector<T, Allocator>& values) const {
         return std::span(values).subspan(part.vertex, end - part.vertex);
     }
     /// Calls visit(index in the set) for the vertices that clipping made.
@@ -299,14 +299,15 @@ namespace {
 
 /// Whether s or t of a primitive of the used parts is wide. Most meshes as a whole are not.
 bool are_wide(const VertexTexcoords& texcoords) {
-    const auto spans_more = [](const dvec4& least, const dvec4& greatest) {
+    const auto spans_more = [](const dvec2& least, const dvec2& greatest) {
         return is_wide(least.x, greatest.x) || is_wide(least.y, greatest.y);
     };
     const VertexInputs& inputs = texcoords.inputs;
-    dvec4 least(0), greatest(0);
+    dvec2 least(0), greatest(0);
     const auto include = [&](std::size_t vertex) {
-        least = glm::min(least, texcoords.strq[vertex]);
-        greatest = glm::max(greatest, texcoords.strq[vertex]);
+        const dvec2 st(texcoords.strq[vertex]);
+        least = glm::min(least, st);
+        greatest = glm::max(greatest, st);
     };
     for (std::size_t i = 0; i < inputs.set->parts.size(); ++i) {
         if (!inputs.draws[i]) continue;
@@ -317,8 +318,8 @@ bool are_wide(const VertexTexcoords& texcoords) {
     if (!spans_more(least, greatest)) return false;
     return std::ranges::any_of(inputs.set->primitives, [&](const SetupPrimitive& p) {
         if (!inputs.draws[p.part]) return false;
-        const dvec4 &a = texcoords.strq[p.vertex[0]], &b = texcoords.strq[p.vertex[1]],
-                    &c = texcoords.strq[p.vertex[2]];
+        const dvec2 a(texcoords.strq[p.vertex[0]]), b(texcoords.strq[p.vertex[1]]),
+            c(texcoords.strq[p.vertex[2]]);
         return spans_more(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)));
     });
 }

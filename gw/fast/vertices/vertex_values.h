@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/fast/vertices/geometry.h"
+#include "gw/fast/vertices/unset_vector.h"
 
 #include <cstddef>
 #include <vector>
@@ -73,7 +74,7 @@ struct VertexFog {
 };
 struct VertexTexcoords {
     VertexInputs inputs;
-    std::vector<dvec4>
+    UnsetVector<dvec4>
         strq;               ///< at least as many; those of vertices that nothing uses are arbitrary
     bool are_wide = false;  ///< s or t of a primitive (R9.19)
 
