@@ -37,28 +37,28 @@ public:
           primitive_(*planes.corners.primitive[i]),
           ordinal_(ordinal),
           color_(planes.scratch.color[i]),
-          texture_(planes.scratch.texture[i]),
-          moved_(planes.scratch.outer) {
+          texture_(planes.scratch.texture[i]) {
         planes.make();
         if (planes.narrow || !color_.perspective || !has_limits(color_))
             scalar_colors_.emplace(draw_, primitive_, frame());
         if (!draw_.op->texels) return;
-        if (has_limits())
-            moved_ = texture_;
-        else
-            scalar_textures_.emplace(draw_, primitive_, frame());
+        if (!has_limits()) scalar_textures_.emplace(draw_, primitive_, frame());
     }
 
-    /// Puts the colour and the texels of one pixel into the inputs of shading.
-    HWY_INLINE void put(int bx, int by, int lane, ShadeInputs& in) {
-        const Rgba color = color_at(bx, by, lane);
-        for (std::size_t c = 0; c < 4; ++c) in.color.channel[c][lane] = color[c];
-        if (!draw_.op->texels) return;
-        const TexturePlanes& planes = texture_at(bx, by, lane);
-        if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, in);
-        ShadeInputs one;
-        look_up(planes, draw_, bx, by, 1u << lane, one);
-        copy_lane(one.texels[0], lane, in.texels[0]);
+    /// Puts the colours and the texels of the pixels of `lanes` into the inputs of shading.
+    HWY_NOINLINE void put(int bx, int by, std::uint32_t lanes, ShadeInputs& in) {
+        const bool looks_up = draw_.op->texels != nullptr;
+        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            const Rgba color = color_at(bx, by, lane);
+            for (std::size_t c = 0; c < 4; ++c) in.color.channel[c][lane] = color[c];
+            if (!looks_up) continue;
+            if (scalar_textures_)
+                look_up_one(bx, by, lane, in);
+            else
+                put_values(bx, by, lane);
+        }
+        if (looks_up && !scalar_textures_) look_up(texture_, values_, draw_, bx, by, lanes, in);
     }
 
 private:
@@ -77,8 +77,7 @@ private:
         return p.has_limits && is_flat_enough(p.q) && is_flat_enough(p.s.plane) &&
                is_flat_enough(p.t.plane) && is_flat_enough(p.r.plane);
     }
-    template <class Planes>
-    HWY_INLINE static Planes& of_unit(Planes& planes, std::size_t unit) {
+    HWY_INLINE static const TexturePlanes& of_unit(const TexturePlanes& planes, std::size_t unit) {
         return unit == 0 ? planes : planes.more[unit - 1];
     }
     HWY_INLINE bool is_on(std::size_t unit) const {
@@ -116,25 +115,32 @@ private:
         }
         return out;
     }
-    HWY_INLINE const TexturePlanes& texture_at(int bx, int by, int lane) {
-        if (scalar_textures_)
-            return scalar_textures_->at(outer_frame(draw_, frame(), bx, by, lane));
+    /// Of planes made for the pixel.
+    HWY_NOINLINE void look_up_one(int bx, int by, int lane, ShadeInputs& in) {
+        const TexturePlanes& planes =
+            scalar_textures_->at(outer_frame(draw_, frame(), bx, by, lane));
+        if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, in);
+        ShadeInputs one;
+        look_up(planes, draw_, bx, by, 1u << lane, one);
+        copy_lane(one.texels[0], lane, in.texels[0]);
+    }
+    /// The limited values of the batch's planes.
+    HWY_INLINE void put_values(int bx, int by, int lane) {
         const int i = bx * block_side + lane % block_side, j = by * block_side + lane / block_side;
         for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
             if (!is_on(unit)) continue;
             const TexturePlanes& from = of_unit(texture_, unit);
-            TexturePlanes& to = of_unit(moved_, unit);
+            TexelValues& to = values_[unit];
             const std::int64_t q = from.q_limits.at(from.q, i, j);
             const auto value = [&](const TexturePlane& p) {
                 const std::int64_t v = p.limits.at(p.plane, i, j);
-                return PrimitiveFrame::constant(is_projective(unit) ? v : std::min(v, q));
+                return static_cast<std::int32_t>(is_projective(unit) ? v : std::min(v, q));
             };
-            to.q = PrimitiveFrame::constant(q);
-            to.s.plane = value(from.s);
-            to.t.plane = value(from.t);
-            to.r.plane = value(from.r);
+            to.q[lane] = static_cast<std::int32_t>(q);
+            to.s[lane] = value(from.s);
+            to.t[lane] = value(from.t);
+            to.r[lane] = value(from.r);
         }
-        return moved_;
     }
 
     const TileDraw& draw_;
@@ -142,10 +148,10 @@ private:
     const std::uint32_t ordinal_;
     const ColorPlanes& color_;
     const TexturePlanes& texture_;
-    TexturePlanes& moved_;
     std::optional<PrimitiveFrame> frame_;
     std::optional<OuterColors> scalar_colors_;
     std::optional<OuterTextures> scalar_textures_;
+    UnitValues values_{};
 };
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -158,8 +158,7 @@ private:
             return;
         }
         if (!outer_) outer_.emplace(planes_, i_, ordinal_);
-        for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1)
-            outer_->put(bx, by, std::countr_zero(rest), outer_inputs_);
+        outer_->put(bx, by, lanes, outer_inputs_);
         const ColorBlock& colors = shaded(draw_, outer_inputs_.texels[0], outer_inputs_);
         for (; lanes != 0; lanes &= lanes - 1) copy_lane(colors, std::countr_zero(lanes), color_);
     }

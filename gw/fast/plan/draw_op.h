@@ -30,6 +30,7 @@ struct UnitOp {
     const FastTexels* texels = nullptr;  ///< null: off
     const VertexTexcoords* texcoords = nullptr;
     bool projective = false;
+    const TexelPairs* pairs = nullptr;  ///< as DrawOp's
 };
 using UnitOps = std::array<UnitOp, max_texture_units>;
 

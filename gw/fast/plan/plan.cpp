@@ -148,6 +148,13 @@ struct Planner {
         }
         return last_texels;
     }
+    /// Null if texels are looked up pixel by pixel, or no filter is linear.
+    const TexelPairs* pairs_of(FastTexels& of, const TextureState& t, bool projective,
+                               const ResolvedTexture& resolved) const {
+        if (projective || has_rare_lookup(t, of.texels)) return nullptr;
+        if (!is_linear(t, false) && !is_linear(t, true)) return nullptr;
+        return texel_pairs(of, addressing(t, of.texels, resolved.border_color));
+    }
     /// Of all units, if others than the first are on.
     void bind_units(DrawOp& op, const Draw& draw, GroupDraws in) {
         UnitOps& units = segment.unit_ops.emplace_back();
@@ -155,8 +162,10 @@ struct Planner {
             const TextureBinding& map = map_of(draw, in.unit);
             if (!map.enabled()) continue;
             const TextureState& t = texture_of(*in.state, in.unit);
-            units[in.unit] = {texels(map, t.shadow_compare), texcoords_of(in),
-                              divides_by_q(t, draw, in.unit)};
+            FastTexels* const found = texels(map, t.shadow_compare);
+            const bool projective = divides_by_q(t, draw, in.unit);
+            units[in.unit] = {found, texcoords_of(in), projective,
+                              pairs_of(*found, t, projective, op.state.texture(in.unit))};
             op.texels = units[in.unit].texels;
             op.texcoords = units[in.unit].texcoords;
             op.projective = units[in.unit].projective;
@@ -168,9 +177,7 @@ struct Planner {
         FastTexels* const found = texels(draw.map, t.shadow_compare);
         op.texels = found;
         op.projective = divides_by_q(t, draw);
-        const bool one_by_one = op.projective || has_rare_lookup(t, found->texels);
-        if (!one_by_one && (is_linear(t, false) || is_linear(t, true)))
-            op.pairs = texel_pairs(*found, addressing(t, found->texels, op.state.border_color));
+        op.pairs = pairs_of(*found, t, op.projective, op.state);
         op.texcoords = texcoords_of(in);
     }
     const std::vector<std::uint32_t>* table_of(ScannedState& state) {

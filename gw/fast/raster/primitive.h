@@ -151,7 +151,6 @@ struct BatchScratch {
     RarePlanes rare[batch_capacity];
     TexturePlanes texture[batch_capacity];
     TexelQueue queue;
-    TexturePlanes outer;  ///< at one pixel with an outer centre
 };
 
 DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
@@ -206,9 +205,15 @@ void find_rare_values(const RarePlanes& planes, const TileDraw& draw, int bx, in
 
 /// The texels of a block, by unit.
 using TexelBlocks = std::array<ColorBlock, max_texture_units>;
+/// A unit's denominators and numerators at the pixels of a block; r of textures with r and of
+/// comparisons only.
+struct TexelValues {
+    alignas(64) std::int32_t q[block_pixels], s[block_pixels], t[block_pixels], r[block_pixels];
+};
 /// Lanes of `mask` in block (bx, by), one by one, of one unit.
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
-                     const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out);
+void sample_by_pixel(const TexturePlanes& planes, const TexelValues& values, const TileDraw& draw,
+                     std::size_t unit, const UnitOp& op, int bx, int by, std::uint32_t mask,
+                     ColorBlock& out);
 
 /// A block's texels whose depths are compared, and r as a float scaled to depths.
 struct ComparedLanes {

@@ -29,8 +29,8 @@ HWY_INLINE bool compares_block(const TextureState& s, const UnitOp& unit, const 
 }
 
 /// Compares the lanes of `mask`.
-HWY_NOINLINE inline void compare_block(const TexturePlanes& p, const TileDraw& draw,
-                                       std::size_t unit, const UnitOp& op, int bx, int by,
+HWY_NOINLINE inline void compare_block(const TexturePlanes& p, const TexelValues& values,
+                                       const TileDraw& draw, std::size_t unit, const UnitOp& op,
                                        std::uint32_t mask, ColorBlock& out) {
     const F32 f;
     const I32 d;
@@ -40,26 +40,24 @@ HWY_NOINLINE inline void compare_block(const TexturePlanes& p, const TileDraw& d
     const TexelLevel& level = texels.levels[std::size_t(base)];
     ComparedLanes lanes;
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-        const Pixels at = pixels_of(bx, by, i);
-        const auto q = wide_plane(p.q, at);
-        if (op.projective)
-            lanes.outside |= bits_of(d, hn::Lt(hn::BitCast(d, q), hn::Set(d, 1)), lanes32) << i;
-        const auto w = hn::Div(hn::Set(f, 1.0f), to_floats(q));
-        const auto scaled = [&](const TexturePlane& t, int log2) {
+        const auto q = hn::Load(d, values.q + i);
+        if (op.projective) lanes.outside |= bits_of(d, hn::Lt(q, hn::Set(d, 1)), lanes32) << i;
+        const auto w = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, q));
+        const auto scaled = [&](const TexturePlane& t, const std::int32_t* u, int log2) {
             const auto scale = static_cast<float>(power_of_two(t.exponent + log2));
             return hn::Floor(
-                hn::Mul(hn::Mul(to_floats(wide_plane(t.plane, at)), w), hn::Set(f, scale)));
+                hn::Mul(hn::Mul(hn::ConvertTo(f, hn::Load(d, u + i)), w), hn::Set(f, scale)));
         };
-        const auto texel = [&](const TexturePlane& t, int log2_size) {
+        const auto texel = [&](const TexturePlane& t, const std::int32_t* s, int log2_size) {
             const auto limit = hn::Set(f, 1073741824.0f);
-            const auto u = hn::Max(hn::Neg(limit), hn::Min(scaled(t, log2_size + 8), limit));
+            const auto u = hn::Max(hn::Neg(limit), hn::Min(scaled(t, s, log2_size + 8), limit));
             const auto k =
                 hn::Set(d, static_cast<std::int32_t>(std::uint32_t(t.k) << (log2_size + 8)));
             return hn::ShiftRight<8>(hn::Add(hn::ConvertTo(d, u), k));
         };
-        hn::Store(texel(p.s, level.log2_width), d, lanes.i + i);
-        hn::Store(texel(p.t, level.log2_height), d, lanes.j + i);
-        hn::Store(scaled(p.r, texels.depth_bits), f, lanes.r + i);
+        hn::Store(texel(p.s, values.s, level.log2_width), d, lanes.i + i);
+        hn::Store(texel(p.t, values.t, level.log2_height), d, lanes.j + i);
+        hn::Store(scaled(p.r, values.r, texels.depth_bits), f, lanes.r + i);
     }
     compare_depths(lanes, draw, unit, *op.texels, mask, out);
 }

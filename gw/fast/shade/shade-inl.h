@@ -9,9 +9,8 @@
 #endif
 
 #include "gw/fast/shade/colors-inl.h"
-#include "gw/fast/shade/compared-inl.h"
 #include "gw/fast/shade/coordinates-inl.h"
-#include "gw/fast/shade/texture-inl.h"
+#include "gw/fast/shade/look_up-inl.h"
 #include "gw/fast/shade/wide_colors-inl.h"
 #include "gw/fast/simd/walk-inl.h"
 #include "gw/stages/fog.h"
@@ -247,10 +246,6 @@ HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int
     if (has_fog(op.state.state)) wide_fog(p, op, bx, by, mask, in);
 }
 
-HWY_INLINE Sampler sampler_of(const DrawOp& op) {
-    return {*op.texels, op.pairs, op.state.state.texture, op.state.bits};
-}
-
 /// Lane by lane.
 HWY_NOINLINE inline void add_secondary(const DrawOp& op, const ColorBlock& secondary,
                                        const ColorBlock& color, ColorBlock& out) {
@@ -288,28 +283,21 @@ HWY_NOINLINE inline const ColorBlock& shaded(const TileDraw& draw, const ColorBl
     return *color;
 }
 
-/// Lanes of `mask` of the units that have rare look-ups.
-HWY_NOINLINE inline void look_up_by_pixel(const TexturePlanes& p, const TileDraw& draw, int bx,
-                                          int by, std::uint32_t mask, TexelBlocks& out) {
-    const DrawOp& op = *draw.op;
-    const auto look_up = [&](std::size_t number, const UnitOp& unit, const TexturePlanes& planes) {
-        if (compares_block(texture_of(op.state.state, number), unit, planes))
-            compare_block(planes, draw, number, unit, bx, by, mask, out[number]);
-        else
-            sample_by_pixel(planes, draw, number, unit, bx, by, mask, out[number]);
-    };
-    if (!op.units) return look_up(0, {op.texels, op.texcoords, op.projective}, p);
-    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
-        if ((*op.units)[unit].texels)
-            look_up(unit, (*op.units)[unit], unit == 0 ? p : p.more[unit - 1]);
-}
-
 /// Looks up the lanes of `mask`, which one primitive covers.
 HWY_INLINE void look_up(const TexturePlanes& p, const TileDraw& draw, int bx, int by,
                         std::uint32_t mask, ShadeInputs& in) {
-    if (textures_by_pixel(*draw.op)) return look_up_by_pixel(p, draw, bx, by, mask, in.texels);
+    if (textures_by_pixel(*draw.op)) return look_up_by_unit(p, draw, bx, by, mask, in.texels);
     const Sampler sampler = sampler_of(*draw.op);
     divide_block(sampler, p, draw.tile, bx, by, mask, in.divided);
+    sample_block(sampler, in.divided, mask, in.texels[0]);
+}
+/// The same of values of the planes, by unit.
+HWY_INLINE void look_up(const TexturePlanes& p, const UnitValues& values, const TileDraw& draw,
+                        int bx, int by, std::uint32_t mask, ShadeInputs& in) {
+    if (textures_by_pixel(*draw.op))
+        return look_up_by_unit(p, values, draw, bx, by, mask, in.texels);
+    const Sampler sampler = sampler_of(*draw.op);
+    divide_block(sampler, p, values[0], draw.tile, bx, by, mask, in.divided);
     sample_block(sampler, in.divided, mask, in.texels[0]);
 }
 

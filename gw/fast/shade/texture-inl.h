@@ -34,17 +34,16 @@ struct BlockSlopes {
 
 #if HWY_HAVE_FLOAT64
 
-HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale_s, double scale_t,
-                            BlockSlopes& out) {
+HWY_INLINE void find_slopes(const CoordinateSlope& u, const CoordinateSlope& v, int dx, int dy,
+                            double scale_u, double scale_v, BlockSlopes& out) {
     const hn::CappedTag<double, block_side> d;
     const hn::Rebind<float, decltype(d)> f;
     alignas(32) static constexpr double step[block_side] = {0, 1, 2, 3};
-    const auto all = [&](double v) { return hn::Set(d, v); };
-    const auto larger = [&](auto u, auto v) {
-        const auto s = hn::Mul(hn::Abs(u), all(scale_s)), t = hn::Mul(hn::Abs(v), all(scale_t));
+    const auto all = [&](double value) { return hn::Set(d, value); };
+    const auto larger = [&](auto a, auto b) {
+        const auto s = hn::Mul(hn::Abs(a), all(scale_u)), t = hn::Mul(hn::Abs(b), all(scale_v));
         return hn::DemoteTo(f, hn::Max(t, s));
     };
-    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
     for (std::size_t i = 0; i < block_side; i += hn::Lanes(d)) {
         const auto x = hn::Add(all(dx), hn::Load(d, step + i)),
                    y = hn::Add(all(dy), hn::Load(d, step + i));
@@ -59,11 +58,10 @@ HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale
 
 #else
 
-HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale_s, double scale_t,
-                            BlockSlopes& out) {
-    const CoordinateSlope &u = p.s.slope, &v = p.t.slope;
+HWY_INLINE void find_slopes(const CoordinateSlope& u, const CoordinateSlope& v, int dx, int dy,
+                            double scale_u, double scale_v, BlockSlopes& out) {
     const auto larger = [&](double s, double t) {
-        return static_cast<float>(std::max(std::abs(s) * scale_s, std::abs(t) * scale_t));
+        return static_cast<float>(std::max(std::abs(s) * scale_u, std::abs(t) * scale_v));
     };
     for (int i = 0; i < block_side; ++i) {
         out.row[i] = larger(u.a + double(u.k) * (dy + i), v.a + double(v.k) * (dy + i));
@@ -73,18 +71,23 @@ HWY_INLINE void find_slopes(const TexturePlanes& p, int dx, int dy, double scale
 
 #endif  // HWY_HAVE_FLOAT64
 
-/// The input of rho: the larger slope of each row and column. docs/manual.md, "Level of detail".
-HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
-                                      int bx, int by, float* slope) {
-    BlockSlopes found;
-    find_slopes(p, tile.x + bx * block_side - p.slope_x, tile.y + by * block_side - p.slope_y,
-                power_of_two(p.s.exponent + s.base().log2_width),
-                power_of_two(p.t.exponent + s.base().log2_height), found);
+/// The larger slope of each lane's row and column.
+HWY_INLINE void spread_slopes(const BlockSlopes& found, float* slope) {
     const hn::CappedTag<float, block_side> f;
     for (std::size_t i = 0; i < block_pixels; i += hn::Lanes(f))
         hn::Store(hn::Max(hn::Set(f, found.row[i / block_side]),
                           hn::Load(f, found.column + i % block_side)),
                   f, slope + i);
+}
+/// The input of rho: the larger slope of each row and column. docs/manual.md, "Level of detail".
+HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, const Tile& tile,
+                                      int bx, int by, float* slope) {
+    BlockSlopes found;
+    find_slopes(p.s.slope, p.t.slope, tile.x + bx * block_side - p.slope_x,
+                tile.y + by * block_side - p.slope_y,
+                power_of_two(p.s.exponent + s.base().log2_width),
+                power_of_two(p.t.exponent + s.base().log2_height), found);
+    spread_slopes(found, slope);
 }
 
 /// Puts the lanes of `mask`, which one primitive covers, into the inputs.
@@ -191,19 +194,21 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TextureInputs& in,
     }
 }
 
-/// The same for the lanes of `mask`, which one primitive covers.
-HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
-                                      int bx, int by, std::uint32_t mask, TextureLanes& out) {
+/// The same for the lanes of `mask`, which one primitive covers: reciprocals(i) of the denominators
+/// of lanes i .., numerators(p.s, i) and (p.t, i).
+template <class Reciprocals, class Numerators>
+HWY_INLINE void divide_lanes(const Sampler& s, const TexturePlanes& p, const Tile& tile, int bx,
+                             int by, std::uint32_t mask, const Reciprocals& reciprocals,
+                             const Numerators& numerators, TextureLanes& out) {
     const I32 d;
     const F32 f;
     alignas(64) float slope[block_pixels] = {};
     if (needs_rho(s.state)) store_slopes(s, p, tile, bx, by, slope);
     for (std::size_t i = 0; i < block_pixels; i += lanes32) {
         if (!has_part(mask, i / lanes32)) continue;
-        const Pixels at = pixels_of(bx, by, i);
-        const auto w = reciprocal_lanes(p.q, at);
+        const auto w = reciprocals(i);
         const auto over = [&](const TexturePlane& t) {
-            return hn::Mul(hn::Mul(to_floats(wide_plane(t.plane, at)), w),
+            return hn::Mul(hn::Mul(to_floats(numerators(t, i)), w),
                            hn::Set(f, static_cast<float>(power_of_two(t.exponent))));
         };
         hn::Store(over(p.s), f, out.u + i);
@@ -212,6 +217,28 @@ HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, 
         hn::Store(hn::Set(d, p.t.k), d, out.v_k + i);
         if (needs_rho(s.state)) hn::Store(rho_lanes(hn::Load(f, slope + i), w), f, out.rho + i);
     }
+}
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p, const Tile& tile,
+                                      int bx, int by, std::uint32_t mask, TextureLanes& out) {
+    const auto at = [&](std::size_t i) { return pixels_of(bx, by, i); };
+    divide_lanes(
+        s, p, tile, bx, by, mask, [&](std::size_t i) { return reciprocal_lanes(p.q, at(i)); },
+        [&](const TexturePlane& t, std::size_t i) { return wide_plane(t.plane, at(i)); }, out);
+}
+/// Of these values of the planes.
+HWY_NOINLINE inline void divide_block(const Sampler& s, const TexturePlanes& p,
+                                      const TexelValues& values, const Tile& tile, int bx, int by,
+                                      std::uint32_t mask, TextureLanes& out) {
+    const auto load = [](const std::int32_t* v, std::size_t i) {
+        return hn::BitCast(D32(), hn::Load(I32(), v + i));
+    };
+    divide_lanes(
+        s, p, tile, bx, by, mask,
+        [&](std::size_t i) { return hn::Div(hn::Set(F32(), 1.0f), to_floats(load(values.q, i))); },
+        [&](const TexturePlane& t, std::size_t i) {
+            return load(&t == &p.s ? values.s : values.t, i);
+        },
+        out);
 }
 
 /// Coordinates of 16 lanes, as in TextureLanes.

@@ -36,22 +36,25 @@ struct PixelSampler {
     const FastTexels& fast;
     bool projective;
     int i, j;
-    std::int32_t q = 1;
+    std::int32_t q, s, t, r;
     float w = 1;
     const Texels& texels = fast.texels;
 
-    float over_q(const TexturePlane& t) const {
-        return static_cast<float>(value_of(t.plane, i, j)) * w;
-    }
-    int position(const TexturePlane& t, int size, Wrap wrap) const {
-        const bool wide = !projective && t.exponent > largest_exponent_in_float;
-        const auto u = [&] { return value_of(t.plane, i, j); };
+    float over_q(std::int32_t u) const { return static_cast<float>(u) * w; }
+    int position(const TexturePlane& of, std::int32_t u, int size, Wrap wrap) const {
+        const bool wide = !projective && of.exponent > largest_exponent_in_float;
         if (texels.any_size || wrap == Wrap::MirroredRepeat)
-            return any_position(wide ? double(u()) / double(q) : double(over_q(t)), t.exponent, t.k,
+            return any_position(wide ? double(u) / double(q) : double(over_q(u)), of.exponent, of.k,
                                 size, wrap);
         const int log2_size = std::countr_zero(unsigned(size));
-        if (wide) return wide_position(u(), q, t.exponent, t.k, log2_size, wrap == Wrap::Repeat);
-        return level_coordinate(t, over_q(t), log2_size);
+        if (wide) return wide_position(u, q, of.exponent, of.k, log2_size, wrap == Wrap::Repeat);
+        return level_coordinate(of, over_q(u), log2_size);
+    }
+    int position_s(const TexelLevel& level) const {
+        return position(p.s, s, level.width, state.wrap_s);
+    }
+    int position_t(const TexelLevel& level) const {
+        return position(p.t, t, level.height, state.wrap_t);
     }
 
     Rgba grey(bool lit) const {
@@ -65,12 +68,11 @@ struct PixelSampler {
     bool is_lit() const {
         const TexelLevel& level = texels.levels[std::size_t(base_level())];
         const int bits = texels.depth_bits;
-        const int u = position(p.s, level.width, state.wrap_s) >> 8;
-        const int v = position(p.t, level.height, state.wrap_t) >> 8;
-        const double r = times_power_of_two(over_q(p.r), p.r.exponent + bits);
+        const double scaled = times_power_of_two(over_q(r), p.r.exponent + bits);
         const auto incoming =
-            static_cast<std::uint32_t>(to_integer(std::floor(r), 0, max_of_bits(bits)));
-        return compare(state.compare_func, incoming, stored_depth(level, u, v));
+            static_cast<std::uint32_t>(to_integer(std::floor(scaled), 0, max_of_bits(bits)));
+        return compare(state.compare_func, incoming,
+                       stored_depth(level, position_s(level) >> 8, position_t(level) >> 8));
     }
     std::uint32_t stored_depth(const TexelLevel& level, int u, int v) const {
         const double border = state.border_color.x;
@@ -83,25 +85,25 @@ struct PixelSampler {
     float rho() const {
         const int dx = draw.tile.x + i - p.slope_x, dy = draw.tile.y + j - p.slope_y;
         const TexelLevel& base = texels.levels[std::size_t(base_level())];
-        const double s = times_power_of_two(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
-        const double t = times_power_of_two(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
-        const float found = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+        const double along_s = times_power_of_two(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
+        const double along_t = times_power_of_two(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
+        const float found =
+            (static_cast<float>(std::max(along_s, along_t)) * (w * w)) * (1.0f / 65536);
         return std::min(std::max(found * resolved.rho_scale, resolved.least_rho),
                         resolved.greatest_rho);
     }
 
     Rgba sample(int index, bool linear) const {
         const TexelLevel& level = texels.levels[std::size_t(index)];
-        return lookup(texels, level, linear, how(), position(p.s, level.width, state.wrap_s),
-                      position(p.t, level.height, state.wrap_t));
+        return lookup(texels, level, linear, how(), position_s(level), position_t(level));
     }
 
     Rgba with_r() const {
-        const auto at = [&](const TexturePlane& c) {
-            return PixelCoordinate{value_of(c.plane, i, j), c.exponent, c.plane_slope};
+        const auto at = [](const TexturePlane& of, std::int32_t u) {
+            return PixelCoordinate{u, of.exponent, of.plane_slope};
         };
         return texel_with_r(texels, state, resolved,
-                            {{at(p.s), at(p.t), at(p.r)},
+                            {{at(p.s, s), at(p.t, t), at(p.r, r)},
                              q,
                              p.q_slope,
                              draw.tile.x + i - p.slope_x,
@@ -109,7 +111,6 @@ struct PixelSampler {
     }
 
     Rgba texel() {
-        q = value_of(p.q, i, j);
         if (texels.with_r) return with_r();
         if (projective && q < 1) return grey(true);
         w = 1.0f / static_cast<float>(q);
@@ -128,8 +129,9 @@ Rgba lane_of(const ColorBlock& b, std::size_t i) {
 
 }  // namespace
 
-void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, std::size_t unit,
-                     const UnitOp& op, int bx, int by, std::uint32_t mask, ColorBlock& out) {
+void sample_by_pixel(const TexturePlanes& planes, const TexelValues& values, const TileDraw& draw,
+                     std::size_t unit, const UnitOp& op, int bx, int by, std::uint32_t mask,
+                     ColorBlock& out) {
     for (; mask != 0; mask &= mask - 1) {
         const int lane = std::countr_zero(mask);
         PixelSampler pixel{planes,
@@ -139,7 +141,11 @@ void sample_by_pixel(const TexturePlanes& planes, const TileDraw& draw, std::siz
                            *op.texels,
                            op.projective,
                            bx * block_side + lane % block_side,
-                           by * block_side + lane / block_side};
+                           by * block_side + lane / block_side,
+                           values.q[lane],
+                           values.s[lane],
+                           values.t[lane],
+                           values.r[lane]};
         const Rgba texel = pixel.texel();
         for (std::size_t c = 0; c < 4; ++c) out.channel[c][lane] = texel[c];
     }

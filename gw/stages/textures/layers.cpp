@@ -9,25 +9,6 @@
 namespace gw {
 namespace {
 
-/// Of each face: the coordinate that is largest, and those that s and t follow, with signs.
-struct FaceRule {
-    int major, s, t;
-    bool s_is_negative, t_is_negative;
-};
-constexpr std::array<FaceRule, 6> face_rules{{{0, 2, 1, true, true},
-                                              {0, 2, 1, false, true},
-                                              {1, 0, 2, false, false},
-                                              {1, 0, 2, false, true},
-                                              {2, 0, 1, false, true},
-                                              {2, 0, 1, true, true}}};
-
-int face_of(const dvec3& d) {
-    const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
-    if (x >= y && x >= z) return d.x < 0 ? 1 : 0;
-    if (y >= z) return d.y < 0 ? 3 : 2;
-    return d.z < 0 ? 5 : 4;
-}
-
 /// The direction of a point of a face, s and t in -1 .. 1 of the face.
 dvec3 direction(int face, double s, double t) {
     const FaceRule& rule = face_rules[std::size_t(face)];
@@ -190,7 +171,7 @@ FacePoint point_on_face(const Texels& texels, const Point& at) {
 }  // namespace
 
 FacePoint face_point(const dvec3& d) {
-    FacePoint out{.face = face_of(d)};
+    FacePoint out{.face = face_of(d.x, d.y, d.z)};
     const FaceRule& rule = face_rules[std::size_t(out.face)];
     const double major = std::abs(d[rule.major]);
     if (!(major > 0)) return out;
@@ -200,6 +181,12 @@ FacePoint face_point(const dvec3& d) {
     out.s = coordinate(rule.s, rule.s_is_negative);
     out.t = coordinate(rule.t, rule.t_is_negative);
     return out;
+}
+
+Rgba face_texel(const Texels& texels, const TexelLevel& level, bool seamless, int face, int i,
+                int j) {
+    if (seamless) return seamless_texel(texels, level, face, i, j);
+    return filter_texel(texels, level, {Wrap::Clamp, Wrap::Clamp}, i, j, face);
 }
 
 Rgba texel_with_r(const Texels& texels, const TextureState& state, const ResolvedTexture& resolved,
