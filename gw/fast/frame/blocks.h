@@ -2,6 +2,8 @@
 // planes that it never uses. Does not know what a block is.
 #pragma once
 
+#include "gw/base/large_pages.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -18,13 +20,17 @@ class Blocks {
 public:
     /// Makes so many, all 0. There were none.
     void resize(std::size_t count) {
-        memory_.reset(std::calloc(count * sizeof(Block) + alignof(Block), 1));
+        const std::size_t bytes = count * sizeof(Block);
+        const bool is_large = bytes >= least_large;
+        const std::size_t alignment = is_large ? large_page : alignof(Block);
+        memory_.reset(std::calloc(bytes + alignment, 1));
         if (!memory_) throw std::bad_alloc();
         const auto address = reinterpret_cast<std::uintptr_t>(memory_.get());
-        const std::size_t past = address % alignof(Block);
+        const std::size_t past = address % alignment;
         first_ = reinterpret_cast<Block*>(static_cast<std::byte*>(memory_.get()) +
-                                          (past == 0 ? 0 : alignof(Block) - past));
+                                          (past == 0 ? 0 : alignment - past));
         size_ = count;
+        if (is_large) use_large_pages(first_, bytes - bytes % large_page);
     }
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
@@ -32,6 +38,9 @@ public:
     const Block& operator[](std::size_t i) const { return first_[i]; }
 
 private:
+    /// Smaller planes have few faults, and would keep much more memory than they touch.
+    static constexpr std::size_t least_large = 16 * large_page;
+
     struct Free {
         void operator()(void* memory) const { std::free(memory); }
     };
