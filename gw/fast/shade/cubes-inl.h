@@ -8,7 +8,7 @@
 #define GW_FAST_CUBES_INL_H_
 #endif
 
-#include "gw/fast/shade/texture-inl.h"
+#include "gw/fast/shade/fetched-inl.h"
 #include "gw/stages/textures/layers.h"
 
 #include <algorithm>
@@ -19,15 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Copies the lanes of `mask`.
-HWY_INLINE void copy_lanes(const ColorBlock& from, std::uint32_t mask, ColorBlock& to) {
-    const Half16 d;
-    for (std::size_t c = 0; c < 4; ++c)
-        for (std::size_t i = 0; i < block_pixels; i += lanes32)
-            store_lanes(hn::Load(d, from.channel[c] + i), lanes_of(d, mask, i), d,
-                        to.channel[c] + i);
-}
-
 #if HWY_HAVE_FLOAT64
 
 HWY_INLINE bool looks_up_cube(const TextureState& s, const Texels& texels, const TexturePlanes& p) {
@@ -35,35 +26,6 @@ HWY_INLINE bool looks_up_cube(const TextureState& s, const Texels& texels, const
     return texels.cube && !s.shadow_compare && !texels.packed.empty() && fits(p.s) && fits(p.t) &&
            fits(p.r);
 }
-
-/// The four texels of a filter, and the weights of the right and the upper ones in 256ths.
-struct CornerLanes {
-    alignas(64) std::uint32_t a[block_pixels], b[block_pixels], c[block_pixels], e[block_pixels],
-        wx[block_pixels], wy[block_pixels];
-
-    HWY_INLINE void put(std::size_t lane, std::uint32_t ta, std::uint32_t tb, std::uint32_t tc,
-                        std::uint32_t te, int x, int y) {
-        a[lane] = ta;
-        b[lane] = tb;
-        c[lane] = tc;
-        e[lane] = te;
-        wx[lane] = std::uint32_t(x);
-        wy[lane] = std::uint32_t(y);
-    }
-    HWY_INLINE void put_one(std::size_t lane, std::uint32_t texel) {
-        put(lane, texel, texel, texel, texel, 0, 0);
-    }
-    HWY_INLINE void copy(std::size_t lane, const CornerLanes& from) {
-        put(lane, from.a[lane], from.b[lane], from.c[lane], from.e[lane], int(from.wx[lane]),
-            int(from.wy[lane]));
-    }
-    HWY_INLINE TexelWords mean(std::size_t i) const {
-        const D32 d;
-        return bilinear_bytes(
-            {hn::Load(d, a + i), hn::Load(d, b + i), hn::Load(d, c + i), hn::Load(d, e + i)},
-            hn::Load(d, wx + i), hn::Load(d, wy + i));
-    }
-};
 
 /// A block of one primitive on a cube.
 class CubeBlock {
@@ -85,13 +47,13 @@ public:
         for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {
             const auto lane = std::size_t(std::countr_zero(rest));
             if (values_.q[lane] < 1)
-                put_white(lane);
+                found_.put_white(lane);
             else
                 of_face[face_of(d_[0][lane], d_[1][lane], d_[2][lane])] |= 1u << lane;
         }
         for (int face = 0; face < 6; ++face)
             if (of_face[face] != 0) fetch_face(face, of_face[face]);
-        filter(mask, out);
+        found_.filter(mask, out);
     }
 
 private:
@@ -100,10 +62,6 @@ private:
     }
     HWY_INLINE const std::int32_t* numerators(int c) const {
         return c == 0 ? values_.s : c == 1 ? values_.t : values_.r;
-    }
-    HWY_INLINE void put_white(std::size_t lane) {
-        first_.put_one(lane, ~0u);
-        weight_[lane] = 0;
     }
     HWY_INLINE void find_directions() {
         const D64 d;
@@ -152,10 +110,7 @@ private:
         for (std::size_t i = 0; i < block_pixels; i += lanes32) {
             const auto q = hn::Abs(hn::Load(d, numerators(rule.major) + i));
             const auto w = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, q));
-            const auto found =
-                hn::Mul(rho_lanes(hn::Load(f, spread + i), w), hn::Set(f, resolved_.rho_scale));
-            const auto rho = hn::Min(hn::Max(found, hn::Set(f, resolved_.least_rho)),
-                                     hn::Set(f, resolved_.greatest_rho));
+            const auto rho = limited_rho(rho_lanes(hn::Load(f, spread + i), w), resolved_);
             const auto is_zero = hn::RebindMask(f, hn::Eq(q, hn::Zero(d)));
             hn::Store(hn::IfThenZeroElse(is_zero, rho), f, rho_ + i);
         }
@@ -168,16 +123,10 @@ private:
         const bool by_rho = needs_rho(state_);
         find_points(rule);
         if (by_rho) find_rho(rule);
-        LevelChoice choice{.magnify = true, .level = base()};
-        for (; lanes != 0; lanes &= lanes - 1) {
-            const auto lane = std::size_t(std::countr_zero(lanes));
-            if (by_rho) choice = choose_level(state_, rho_[lane], int(texels_.levels.size()));
-            const bool linear = is_linear(state_, choice.magnify);
-            fetch(lane, face, choice.level, linear, first_);
-            weight_[lane] = choice.weight;
-            mixed_ |= std::uint32_t(choice.weight != 0) << lane;
-            if (choice.weight != 0) fetch(lane, face, choice.next, linear, second_);
-        }
+        const auto fetch_one = [&](std::size_t lane, int level, bool linear, CornerLanes& out) {
+            fetch(lane, face, level, linear, out);
+        };
+        found_.fetch(state_, int(texels_.levels.size()), by_rho ? rho_ : nullptr, lanes, fetch_one);
     }
     HWY_INLINE void fetch(std::size_t lane, int face, int index, bool linear,
                           CornerLanes& out) const {
@@ -205,23 +154,6 @@ private:
         out.put(lane, at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1), us & 255, vs & 255);
     }
 
-    HWY_INLINE void filter(std::uint32_t mask, ColorBlock& out) {
-        const D32 d;
-        if (mixed_ != 0)
-            for (std::uint32_t rest = mask & ~mixed_; rest != 0; rest &= rest - 1)
-                second_.copy(std::size_t(std::countr_zero(rest)), first_);
-        ColorBlock found;
-        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-            if (!has_part(mask, i / lanes32)) continue;
-            TexelWords words = first_.mean(i);
-            if (mixed_ != 0)
-                words = between_levels(words, second_.mean(i), hn::Load(d, weight_ + i));
-            const TexelLanes texel = words.channels();
-            for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], found.channel[k] + i);
-        }
-        copy_lanes(found, mask, out);
-    }
-
     const TexturePlanes& p_;
     const TexelValues& values_;
     const TextureState& state_;
@@ -230,9 +162,7 @@ private:
     const int dx_, dy_;
     alignas(64) double d_[3][block_pixels], s_[block_pixels], t_[block_pixels];
     alignas(64) float rho_[block_pixels];
-    alignas(64) std::uint32_t weight_[block_pixels] = {};
-    std::uint32_t mixed_ = 0;  ///< lanes between two levels
-    CornerLanes first_{}, second_{};
+    FetchedTexels found_;
 };
 
 /// Looks up the lanes of `mask`. Others of `out` stay.

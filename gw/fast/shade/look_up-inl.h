@@ -10,6 +10,7 @@
 
 #include "gw/fast/shade/compared-inl.h"
 #include "gw/fast/shade/cubes-inl.h"
+#include "gw/fast/shade/sized-inl.h"
 #include "gw/fast/shade/texture-inl.h"
 #include "gw/stages/texgen.h"
 
@@ -50,6 +51,8 @@ HWY_NOINLINE inline void look_up_unit(const TexturePlanes& p, const TexelValues&
         sample_plain_unit(p, values, draw, number, unit, bx, by, mask, out);
     else if (looks_up_cube(state, unit.texels->texels, p))
         look_up_cube(p, values, draw, number, unit, bx, by, mask, out);
+    else if (looks_up_sized(state, unit, p))
+        look_up_sized(p, values, draw, number, unit, bx, by, mask, out);
     else
         sample_by_pixel(p, values, draw, number, unit, bx, by, mask, out);
 }

@@ -161,9 +161,16 @@ public:
     void begin(std::size_t lane, int i, int j) {
         if (!from_.frame) return void(texel_[lane] = level_.index(i, j));
         place_[lane] = from_.frame->depth_place(i, j);
-        prefetch(&place_[lane].group->depth, cache_line);
         prefetch(&place_[lane].group->one_depth, 1);
-        prefetch(place_[lane].block, 1);
+    }
+    /// Of a uniform block only the one value is needed.
+    void find(std::size_t lane) {
+        if (!from_.frame) return;
+        const Frame::DepthPlace& at = place_[lane];
+        const std::uint32_t uniform = at.group->one_depth | at.group->one_plane;
+        prefetch((uniform >> at.in_group & 1) != 0 ? &at.group->depth[at.in_group]
+                                                   : &at.block->value[at.lane],
+                 1);
     }
     std::uint32_t end(std::size_t lane) const {
         if (from_.frame) return from_.frame->depth_at(place_[lane]);
@@ -202,6 +209,8 @@ void compare_depths(const ComparedLanes& lanes, const TileDraw& draw, std::size_
         fetch.begin(lane, i, j);
         inside |= 1u << lane;
     }
+    for (std::uint32_t rest = inside; rest != 0; rest &= rest - 1)
+        fetch.find(std::size_t(std::countr_zero(rest)));
     const std::uint32_t border = quantize(state.border_color.x, texels.depth_bits),
                         one = max_of_bits(texels.bits);
     for (std::uint32_t rest = mask; rest != 0; rest &= rest - 1) {

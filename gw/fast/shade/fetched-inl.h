@@ -1,0 +1,109 @@
+// Texels of 8 bits that are fetched lane by lane and filtered in vectors. docs/manual/texture.md;
+// scalar twin: gw/stages/texels.cpp. Does not find coordinates. Included once per Highway target.
+#if defined(GW_FAST_FETCHED_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GW_FAST_FETCHED_INL_H_
+#undef GW_FAST_FETCHED_INL_H_
+#else
+#define GW_FAST_FETCHED_INL_H_
+#endif
+
+#include "gw/fast/shade/texture-inl.h"
+
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace gw::fast::HWY_NAMESPACE {
+
+/// Copies the lanes of `mask`.
+HWY_INLINE void copy_lanes(const ColorBlock& from, std::uint32_t mask, ColorBlock& to) {
+    const Half16 d;
+    for (std::size_t c = 0; c < 4; ++c)
+        for (std::size_t i = 0; i < block_pixels; i += lanes32)
+            store_lanes(hn::Load(d, from.channel[c] + i), lanes_of(d, mask, i), d,
+                        to.channel[c] + i);
+}
+
+/// rho under texture.lod.
+HWY_INLINE VF limited_rho(VF found, const ResolvedTexture& resolved) {
+    const F32 f;
+    const auto scaled = hn::Mul(found, hn::Set(f, resolved.rho_scale));
+    return hn::Min(hn::Max(scaled, hn::Set(f, resolved.least_rho)),
+                   hn::Set(f, resolved.greatest_rho));
+}
+
+/// The four texels of a filter, and the weights of the right and the upper ones in 256ths.
+struct CornerLanes {
+    alignas(64) std::uint32_t a[block_pixels], b[block_pixels], c[block_pixels], e[block_pixels],
+        wx[block_pixels], wy[block_pixels];
+
+    HWY_INLINE void put(std::size_t lane, std::uint32_t ta, std::uint32_t tb, std::uint32_t tc,
+                        std::uint32_t te, int x, int y) {
+        a[lane] = ta;
+        b[lane] = tb;
+        c[lane] = tc;
+        e[lane] = te;
+        wx[lane] = std::uint32_t(x);
+        wy[lane] = std::uint32_t(y);
+    }
+    HWY_INLINE void put_one(std::size_t lane, std::uint32_t texel) {
+        put(lane, texel, texel, texel, texel, 0, 0);
+    }
+    HWY_INLINE void copy(std::size_t lane, const CornerLanes& from) {
+        put(lane, from.a[lane], from.b[lane], from.c[lane], from.e[lane], int(from.wx[lane]),
+            int(from.wy[lane]));
+    }
+    HWY_INLINE TexelWords mean(std::size_t i) const {
+        const D32 d;
+        return bilinear_bytes(
+            {hn::Load(d, a + i), hn::Load(d, b + i), hn::Load(d, c + i), hn::Load(d, e + i)},
+            hn::Load(d, wx + i), hn::Load(d, wy + i));
+    }
+};
+
+/// A block's texels, at one level or two.
+struct FetchedTexels {
+    CornerLanes first{}, second{};
+    alignas(64) std::uint32_t weight[block_pixels] = {};  ///< of `second`, in 256ths
+    std::uint32_t mixed = 0;                              ///< lanes between two levels
+
+    HWY_INLINE void put_white(std::size_t lane) { first.put_one(lane, ~0u); }
+
+    /// Calls fetch(lane, level, is linear, corners) for the levels of each of `lanes`; `rho` is null
+    /// if the filters do not depend on it.
+    template <class Fetch>
+    HWY_INLINE void fetch(const TextureState& state, int level_count, const float* rho,
+                          std::uint32_t lanes, const Fetch& fetch) {
+        LevelChoice choice{.magnify = true, .level = level_range(state, level_count).base};
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto lane = std::size_t(std::countr_zero(lanes));
+            if (rho) choice = choose_level(state, rho[lane], level_count);
+            const bool linear = is_linear(state, choice.magnify);
+            fetch(lane, choice.level, linear, first);
+            weight[lane] = choice.weight;
+            if (choice.weight == 0) continue;
+            mixed |= 1u << lane;
+            fetch(lane, choice.next, linear, second);
+        }
+    }
+    /// The texels of the lanes of `mask`. Others of `out` stay.
+    HWY_INLINE void filter(std::uint32_t mask, ColorBlock& out) {
+        const D32 d;
+        if (mixed != 0)
+            for (std::uint32_t rest = mask & ~mixed; rest != 0; rest &= rest - 1)
+                second.copy(std::size_t(std::countr_zero(rest)), first);
+        ColorBlock found;
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            if (!has_part(mask, i / lanes32)) continue;
+            TexelWords words = first.mean(i);
+            if (mixed != 0) words = between_levels(words, second.mean(i), hn::Load(d, weight + i));
+            const TexelLanes texel = words.channels();
+            for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], found.channel[k] + i);
+        }
+        copy_lanes(found, mask, out);
+    }
+};
+
+}  // namespace gw::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // include guard per target
