@@ -116,6 +116,8 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             "A view instead of the camera's: the eye and the point it looks at. May be repeated; "
             "nothing is solved again")
         ->type_name("EYE/AT");
+    command.add_flag("--lightmaps", o.light_maps,
+                     "Also the pixmaps for other programs: DIR/light_maps.gltf with its textures");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
     command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of unshot light");
     command.add_flag(
@@ -160,11 +162,11 @@ void add_radiosity_options(CLI::App& command, RadiosityOptions& options) {
 void check(const RadiosityOptions& options) {
     if (options.form_factor.empty() && options.output.empty())
         throw UsageError("--output is missing; expected -o DIR, or --form-factor A B");
-    if (!options.form_factor.empty() &&
-        (options.save || options.resume || options.record || !options.output.empty()))
+    if (!options.form_factor.empty() && (options.save || options.resume || options.record ||
+                                         options.light_maps || !options.output.empty()))
         throw UsageError(
             "--form-factor computes no picture; expected it without --output, --save, "
-            "--resume and --record");
+            "--resume, --record and --lightmaps");
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)

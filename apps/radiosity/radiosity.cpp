@@ -6,6 +6,7 @@
 #include "apps/command/terminal.h"
 #include "apps/picture/scene_warnings.h"
 #include "apps/radiosity/files.h"
+#include "apps/radiosity/light_maps.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
 #include "inspect/text/plural.h"
@@ -162,8 +163,9 @@ private:
 
     void finish() {
         image::OutputSet files(session_.inputs);
-        const std::string text =
+        std::string text =
             RadiosityPictures(options_, scene_, session_).put(solver_, "picture", files);
+        if (options_.light_maps) text += put_light_maps(options_, scene_, solver_, files);
         if (options_.save) put_saved(files);
         put_report(steps_, options_.output, files);
         put_index(files, options_.output, session_);

@@ -1,5 +1,5 @@
 // A JSON text as values that know their file and their place in it, "meshes[0].primitives[1].mode".
-// The only user of nlohmann's library here is json_value.cpp. Does not know any key.
+// Readers use nlohmann's library only through it. Does not know any key.
 #pragma once
 
 #include "scene/validate/limits.h"

@@ -1,0 +1,74 @@
+#include "apps/radiosity/light_maps.h"
+
+#include "gw/base/arithmetic.h"
+#include "gw/base/elementary.h"
+#include "image/write.h"
+#include "inspect/text/plural.h"
+#include "radiosity/display/light_atlas.h"
+#include "scene/draw/view.h"
+#include "scene/gltf/gltf_material.h"
+#include "scene/gltf/write_gltf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace gw::apps {
+namespace {
+
+/// As a display shows it: `scale` times the radiosity, clamped, encoded as in sRGB.
+image::Picture shown(const radiosity::AtlasPage& page, const std::vector<float>& radiosities,
+                     double scale) {
+    image::Picture picture{page.width, page.height, 3, 8, {}};
+    for (std::size_t i = 0; i < radiosities.size(); i += 3) {
+        const vec3 color =
+            scene::encoded(scale * dvec3(radiosities[i], radiosities[i + 1], radiosities[i + 2]));
+        for (int c = 0; c < 3; ++c)
+            picture.values.push_back(std::uint16_t(quantize(double(color[c]), 8)));
+    }
+    return picture;
+}
+
+scene::WrittenMesh written(const radiosity::AtlasMesh& mesh, const scene::Scene& scene) {
+    return {.name = scene.objects[mesh.object].name,
+            .picture = mesh.page,
+            .positions = mesh.positions,
+            .texcoord_0 = mesh.texcoords,
+            .texcoord_1 = mesh.st};
+}
+
+}  // namespace
+
+std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& scene,
+                           const radiosity::Solver& solver, image::OutputSet& files) {
+    const radiosity::PixmapModel& model = solver.model();
+    const radiosity::DisplayedPixmaps colors =
+        radiosity::displayed_pixmaps(model, solver.solution(), !options.no_ambient);
+    const radiosity::LightAtlas atlas = radiosity::make_atlas(model);
+    const double scale = pow(2, options.exposure);
+    const Size size = options.picture.size;
+    scene::WrittenScene out{.camera = scene::make_view(scene, size.width, size.height).camera,
+                            .aspect = double(size.width) / size.height};
+    double brightest = 0;
+    for (std::size_t i = 0; i < atlas.pages.size(); ++i) {
+        const radiosity::AtlasPage& page = atlas.pages[i];
+        std::vector<float> values = radiosity::page_colors(atlas, i, model, colors);
+        for (const float v : values) brightest = std::max(brightest, double(v));
+        const std::string name = fmt::format("light_map_{}", i + 1);
+        out.pictures.push_back({name + ".png", name + ".exr", scale});
+        image::put_picture(files.add(options.output / (name + ".png")), shown(page, values, scale));
+        image::put_values(files.add(options.output / (name + ".exr")),
+                          {page.width, page.height, {"R", "G", "B"}, std::move(values)});
+    }
+    for (const radiosity::AtlasMesh& mesh : radiosity::atlas_meshes(atlas, scene, model))
+        out.meshes.push_back(written(mesh, scene));
+    const scene::GltfText text = scene::write_gltf(out, "light_maps.bin");
+    files.add(options.output / "light_maps.gltf").write_text(text.json);
+    files.add(options.output / "light_maps.bin").write_text(text.bytes);
+    return fmt::format(
+        "{}; the brightest radiosity is {:.4g}, white in PNG is {:.4g}\n",
+        inspect::plural(std::uint64_t(atlas.pages.size()), "light map", "light maps"), brightest,
+        1 / scale);
+}
+
+}  // namespace gw::apps

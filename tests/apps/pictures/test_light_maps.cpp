@@ -1,0 +1,118 @@
+// Claims of gw radiosity --lightmaps: its EXR has the bits of the solution, its PNG the same values
+// as a display shows them, and gw render draws its glTF as gw radiosity draws the solution, within a
+// bound.
+#include "apps/radiosity/light_maps.h"
+#include "radiosity/display/light_atlas.h"
+#include "radiosity/model/figures.h"
+#include "scene/gltf/gltf_material.h"
+#include "scene/toml/read_scene.h"
+#include "tests/apps/pictures.h"
+#include "tests/apps/scene_files.h"
+
+#include <cmath>
+
+namespace gw::apps {
+namespace {
+
+constexpr int shots = 40;
+
+class LightMaps : public CommandTest {
+protected:
+    LightMaps() {
+        write("box.toml", R"(texels = 8
+[camera]
+eye = [0, 1, 0.9]
+at = [0, 0.9, -1]
+fov = 70
+[material.wall]
+Kd = [0.7, 0.6, 0.5]
+[[object]]
+shape = "room"
+name = "room"
+width = 2
+height = 2
+depth = 2
+translate = [0, 1, 0]
+material = "wall"
+[[object]]
+shape = "icosphere"
+name = "ball"
+radius = 0.4
+divisions = 2
+translate = [0.2, 0.5, -0.4]
+material = "wall"
+[[object]]
+shape = "rectangle"
+name = "lamp"
+width = 0.8
+depth = 0.8
+rotate = [180, 0, 0]
+translate = [0, 1.95, 0]
+material = { Kd = 0 }
+pixmap = { size = [2, 2], emission = 3 }
+)");
+        const Outcome outcome =
+            gw({"radiosity", "box.toml", "-o", "out", "--hemicube", "32", "--size", "64x48",
+                "--shots", std::to_string(shots), "--exposure", "-0.5", "--lightmaps"});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find("1 light map; the brightest radiosity is 3, white in PNG is "
+                                   "1.414"),
+                  outcome.out.npos)
+            << outcome.out;
+    }
+};
+
+double encoded(double linear) { return double(scene::encoded(dvec3(linear)).x); }
+
+}  // namespace
+
+TEST_F(LightMaps, HaveTheBitsOfTheSolution) {
+    const scene::Scene scene = scene::read_scene(in("box.toml")).scene;
+    radiosity::SolverOptions options;
+    options.form_factors.hemicube = 32;
+    radiosity::Solver solver(radiosity::make_model(scene, {}), options);
+    for (int i = 0; i < shots; ++i) solver.shoot();
+    const radiosity::PixmapModel& model = solver.model();
+    const radiosity::LightAtlas atlas = radiosity::make_atlas(model);
+    ASSERT_EQ(atlas.pages.size(), 1u);
+    const std::vector<float> page =
+        page_colors(atlas, 0, model, displayed_pixmaps(model, solver.solution(), true));
+    const Pixels exr = read_pixels(in("out/light_map_1.exr")),
+                 png = read_pixels(in("out/light_map_1.png"));
+    ASSERT_EQ(exr.channels, 3);
+    ASSERT_EQ(exr.width, atlas.pages[0].width);
+    ASSERT_EQ(exr.height, atlas.pages[0].height);
+    for (int y = 0; y < exr.height; ++y)
+        for (int x = 0; x < exr.width; ++x)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float v = page[std::size_t((exr.height - 1 - y) * exr.width + x) * 3 + c];
+                EXPECT_EQ(exr.at(x, y)[c], v);
+                const double shown = std::clamp(encoded(double(v) * std::sqrt(0.5)), 0.0, 1.0);
+                EXPECT_NEAR(double(png.at(x, y)[c]), shown, 0.501 / 255);
+            }
+}
+
+/// Textures are interpolated after their values were encoded for the display, pixmaps before.
+TEST_F(LightMaps, AreDrawnAsTheSolutionIs) {
+    const Outcome outcome = gw({"render", "out/light_maps.gltf", "-o", "again.png", "--renderer",
+                                "hardware", "--size", "64x48"});
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.err, "");
+    const Pixels a = read_pixels(in("out/picture.png")), b = read_pixels(in("again.png"));
+    ASSERT_EQ(a.values.size(), b.values.size());
+    double sum = 0, most = 0;
+    for (std::size_t i = 0; i < a.values.size(); ++i) {
+        const double off = std::abs(encoded(double(a.values[i])) - double(b.values[i]));
+        sum += off;
+        most = std::max(most, off);
+    }
+    EXPECT_LT(sum / double(a.values.size()), 1.0 / 255);
+    EXPECT_LT(most, 0.1);
+}
+
+TEST_F(LightMaps, AreRefusedWithoutAPicture) {
+    expect_refused(2, {"radiosity", "box.toml", "--form-factor", "lamp", "ball", "--lightmaps"},
+                   {"--lightmaps"});
+}
+
+}  // namespace gw::apps
