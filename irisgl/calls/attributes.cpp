@@ -13,7 +13,7 @@ namespace gw::irisgl::calls {
 void concave(Boolean on) { state().concave = on != 0; }
 
 void polymode(long mode) {
-    if (mode < PYM_POINT || mode > PYM_LINE_FAST)
+    if (mode < PYM_FILL || mode > PYM_LINE_FAST)
         return warn("polymode: mode " + std::to_string(mode) +
                     "; expected PYM_POINT, PYM_LINE, "
                     "PYM_FILL or PYM_HOLLOW; it is ignored");
@@ -70,18 +70,19 @@ void setlinestyle(short index) {
 }
 
 void lsrepeat(long factor) {
-    if (factor < 1) return;
+    if (factor < 1 || factor > 255)
+        return warn("lsrepeat: " + std::to_string(factor) + "; expected 1 to 255; it is ignored");
     state().now.linestyle_repeat = factor;
     apply_lines();
 }
 
 void lsbackup(Boolean on) {
     state().line_backup = on != 0;
-    if (on != 0) warn("lsbackup: lines end where they end; it is ignored");
+    if (on != 0) warn("lsbackup: as on a VGX, lines end where they end; it is ignored");
 }
 void resetls(Boolean on) {
     state().line_reset = on != 0;
-    if (on == 0) warn("resetls: each line begins its style anew; it is ignored");
+    if (on == 0) warn("resetls: as on a VGX, each line begins its style anew; it is ignored");
 }
 
 void defpattern(short index, short size, Values mask) {

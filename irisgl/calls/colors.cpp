@@ -1,6 +1,7 @@
 // Colours, the map, write masks, clearing.
 #include "irisgl/calls/shared.h"
 #include "irisgl/draw/apply.h"
+#include "irisgl/draw/picking.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
 
@@ -33,13 +34,17 @@ MapEntry* map_place(unsigned index) {
     ColorMap& map = program().colors;
     const Window* const w = program().current;
     const long mode = w != nullptr ? w->state.draw_mode : NORMALDRAW;
-    if (mode == NORMALDRAW || mode == CURSORDRAW)
-        return index < map.entries.size() ? &map.entries[index] : nullptr;
-    const std::size_t which = mode == OVERDRAW ? 0 : mode == UNDERDRAW ? 1 : 2;
+    if (mode == NORMALDRAW)
+        return index < map.entries.size() ? &map.entries[map.place(index)] : nullptr;
+    const std::size_t which = mode == OVERDRAW     ? 0
+                              : mode == UNDERDRAW  ? 1
+                              : mode == CURSORDRAW ? 3
+                                                   : 2;
     return index < 256 ? &map.aside[which][index] : nullptr;
 }
 
 void fill_viewport() {
+    if (picks() || gives_feedback()) return;
     const State& s = state();
     const Bounds &v = s.viewport, &m = s.screen_mask;
     const Bounds both{std::max(v.left, m.left), std::min(v.right, m.right),
@@ -80,6 +85,7 @@ void clear_color() {
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     fill_viewport();
     apply_depth();
     apply_polygons();
@@ -116,7 +122,7 @@ void gRGBcolor(short* r, short* g, short* b) {
 }
 
 void clear() {
-    if (!state().double_buffered) pass(polls_of_frame / 20);  // another picture begins
+    if (!state().double_buffered) pass(parts_of_flush);  // another picture begins
     clear_color();
 }
 
@@ -157,6 +163,7 @@ void getmcolor(Colorindex i, short* r, short* g, short* b) {
     *b = short(c >> 16 & 0xFF);
 }
 void getmcolors(short first, short last, short* r, short* g, short* b) {
+    if (r == nullptr || g == nullptr || b == nullptr) return;
     for (int i = first; i <= last; ++i) getmcolor(Colorindex(i), r++, g++, b++);
 }
 void gammaramp(Values r, Values g, Values b) {
@@ -172,16 +179,38 @@ void blink(short rate, Colorindex i, short r, short g, short b) {
         blinks.clear();
     } else if (rate <= 0) {
         blinks.erase(i);
+    } else if (!blinks.contains(i) && blinks.size() >= 20) {
+        warn("blink: 20 colours blink; it is ignored");
     } else {
         blinks[i] = {.rate = rate, .other = entry(r, g, b)};
     }
     ++program().colors.changes;
 }
-void multimap() { warn("multimap: there is one map of 4096 colours; it is ignored"); }
-void onemap() {}
-void setmap(short) { warn("setmap: there is one map of 4096 colours; it is ignored"); }
-long getmap() { return 0; }
-Boolean getcmmode() { return CMAPONE; }
+void multimap() {
+    program().colors.is_multi = true;
+    ++program().colors.changes;
+}
+void onemap() {
+    program().colors.is_multi = false;
+    ++program().colors.changes;
+}
+void setmap(short number) {
+    if (number < 0 || number > 15)
+        return warn("setmap: map " + std::to_string(number) + "; expected 0 to 15; it is ignored");
+    program().colors.number = unsigned(number);
+    ++program().colors.changes;
+}
+long getmap() { return program().colors.is_multi ? long(program().colors.number) : 0; }
+Boolean getcmmode() { return program().colors.is_multi ? CMAPMULTI : CMAPONE; }
+void cyclemap(short duration, short map, short next) {
+    if (map < 0 || map > 15 || next < 0 || next > 15)
+        return warn("cyclemap: maps " + std::to_string(map) + " and " + std::to_string(next) +
+                    "; expected 0 to 15; it is ignored");
+    if (duration <= 0)
+        program().colors.cycles.erase(unsigned(map));
+    else
+        program().colors.cycles[unsigned(map)] = {.duration = duration, .next = unsigned(next)};
+}
 
 // Depth
 
@@ -197,7 +226,7 @@ void czclear(unsigned long color, long depth) {
     p.index = double(color & index_mask);
     p.rgb = unpacked_color(std::uint32_t(color));
     set_clear_color(p);
-    if (!state().double_buffered) pass(polls_of_frame / 20);
+    if (!state().double_buffered) pass(parts_of_flush);
     const bool is_farthest = depth == 0xFFFFFFFFL;  // all bits: programs wrote it for that
     glClearDepth(is_farthest ? 1 : depth_of(depth));
     glDepthMask(GL_TRUE);
@@ -208,19 +237,24 @@ void czclear(unsigned long color, long depth) {
 void zbuffer(Boolean on) {
     state().depth_test = on != 0;
     apply_depth();
+    apply_blending();
 }
-Boolean getzbuffer() { return state().depth_test; }
+Boolean getzbuffer() { return state().depth_test ? 1 : 0; }
 void zfunction(long function) {
     if (function < ZF_NEVER || function > ZF_ALWAYS)
         return warn("zfunction: " + std::to_string(function) +
                     "; expected ZF_NEVER to ZF_ALWAYS; it is ignored");
     state().depth_function = function;
     apply_depth();
+    apply_blending();
 }
 void zsource(long source) {
-    if (source == ZSRC_COLOR)
-        warn(
-            "zsource: ZSRC_COLOR is not offered: the machine compares depths; depths are compared");
+    if (source != ZSRC_DEPTH && source != ZSRC_COLOR)
+        return warn("zsource: " + std::to_string(source) +
+                    "; expected ZSRC_DEPTH or ZSRC_COLOR; it is ignored");
+    state().compares_color = source == ZSRC_COLOR;
+    apply_depth();
+    apply_blending();
 }
 void zwritemask(unsigned long mask) {
     state().depth_write = mask != 0;
@@ -228,10 +262,7 @@ void zwritemask(unsigned long mask) {
         warn("zwritemask: a mask of some bits; the machine writes depths whole or not at all");
     apply_depth();
 }
-void zdraw(Boolean on) {
-    state().draws_depth = on != 0;
-    if (on != 0) warn("zdraw: colours are drawn into the Z-buffer by lrectwrite only");
-}
+void zdraw(Boolean on) { state().draws_depth = on != 0; }
 void lsetdepth(long near_, long far_) {
     state().near = std::int32_t(std::uint32_t(near_));
     state().far = std::int32_t(std::uint32_t(far_));

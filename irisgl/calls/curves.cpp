@@ -14,6 +14,8 @@ namespace gw::irisgl::calls {
 
 namespace {
 
+constexpr long most_segments = 1000;  ///< of a curve, or curves of a patch
+
 std::optional<dmat4> basis(const char* function, long id) {
     const auto found = program().bases.find(short(id));
     if (found != program().bases.end()) return found->second;
@@ -97,19 +99,21 @@ void defbasis(short id, Values m) {
 void curvebasis(short id) {
     if (basis("curvebasis", id)) state().basis = id;
 }
-void curveprecision(short segments) { state().curve_segments = std::max<long>(segments, 1); }
+void curveprecision(short segments) {
+    state().curve_segments = std::clamp<long>(segments, 1, most_segments);
+}
 void patchbasis(long u, long v) {
     if (!basis("patchbasis", u) || !basis("patchbasis", v)) return;
     state().u_basis = short(u);
     state().v_basis = short(v);
 }
 void patchcurves(long u, long v) {
-    state().u_curves = std::max(u, 0L);
-    state().v_curves = std::max(v, 0L);
+    state().u_curves = std::clamp(u, 0L, most_segments);
+    state().v_curves = std::clamp(v, 0L, most_segments);
 }
 void patchprecision(long u, long v) {
-    state().u_segments = std::max(u, 1L);
-    state().v_segments = std::max(v, 1L);
+    state().u_segments = std::clamp(u, 1L, most_segments);
+    state().v_segments = std::clamp(v, 1L, most_segments);
 }
 
 void curve(long n, Values points, int dimensions) {

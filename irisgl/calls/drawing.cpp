@@ -1,5 +1,6 @@
 // Points, lines, polygons, rectangles.
 #include "irisgl/calls/shared.h"
+#include "irisgl/draw/picking.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
 
@@ -144,7 +145,7 @@ void shaded_polygon(long n, Values points, int dimensions, Values indices) {
 void rectangle(double x1, double y1, double x2, double y2, bool filled) {
     std::vector<dvec4> corners{{x1, y1, 0, 1}, {x2, y1, 0, 1}, {x2, y2, 0, 1}, {x1, y2, 0, 1}};
     set_position(x1, y1, 0);
-    if (filled) own_edge_pixels(corners);
+    if (filled && !gives_feedback()) own_edge_pixels(corners);
     draw_points(filled ? Shape::Polygon : Shape::ClosedLine, corners);
 }
 

@@ -1,4 +1,4 @@
-// The event queue, valuators, buttons, cursors.
+// The event queue, valuators, buttons.
 #include "irisgl/state/events.h"
 #include "irisgl/calls/shared.h"
 #include "irisgl/state/program.h"
@@ -74,19 +74,30 @@ Boolean getbutton(Device d) {
 }
 long getvaluator(Device d) {
     poll(false);
+    if (d < 256 || d >= 512) {
+        warn("getvaluator: device " + std::to_string(d) + " is no valuator; it returns -1");
+        return -1;
+    }
     return events().valuators[d].value;
 }
 void setvaluator(Device d, short value, short low, short high) {
     if (d < 256 || d >= 512) return warn("setvaluator: the device is no valuator; it is ignored");
-    events().valuators[d] = {.value = value, .low = low, .high = high};
+    if (low > high)
+        return warn("setvaluator: the least value is above the greatest; it is ignored");
+    const long at = std::clamp(value, low, high);
+    events().valuators[d] = {.value = at, .low = low, .high = high, .queued = at};
 }
 void getdev(long n, Device* devices, short* values) {
-    for (long i = 0; i < n; ++i)
+    if (devices == nullptr || values == nullptr) return;
+    for (long i = 0; i < std::min(n, 128L); ++i)  // "up to 128"
         values[i] = short(devices[i] < 256 ? getbutton(devices[i]) : getvaluator(devices[i]));
 }
 void noise(Device d, short delta) { events().noise[d] = delta; }
 void attachcursor(Device, Device) {}
-void qgetfd() { warn("qgetfd: the queue has no file; it does nothing"); }
+long qgetfd() {
+    warn("qgetfd: the queue has no file; it returns -1");
+    return -1;
+}
 void setbell(char) {}
 void ringbell() {
     if (program().current != nullptr && current_window().host() != nullptr)
@@ -98,33 +109,5 @@ void clkon() {}
 void clkoff() {}
 void setdblights(unsigned long) {}
 void dbtext(const std::string&) {}
-
-void defcursor(short n, Values image) {
-    for (std::size_t i = 0; i < 16; ++i) program().cursors[n].rows[i] = std::uint16_t(image[i]);
-}
-void curstype(long type) {
-    if (type != C16X1) warn("curstype: cursors have 16 x 16 pixels and one bit");
-}
-void curorigin(short n, short x, short y) {
-    program().cursors[n].x = x;
-    program().cursors[n].y = y;
-}
-void setcursor(short n, Colorindex, Colorindex) { program().cursor = n; }
-void getcursor(short* n, unsigned short* c, unsigned short* mask, long* on) {
-    *n = program().cursor;
-    *c = 0;
-    *mask = 0;
-    *on = program().is_cursor_on;
-}
-void curson() {
-    program().is_cursor_on = true;
-    if (program().current != nullptr && current_window().host())
-        current_window().host()->show_cursor(true);
-}
-void cursoff() {
-    program().is_cursor_on = false;
-    if (program().current != nullptr && current_window().host())
-        current_window().host()->show_cursor(false);
-}
 
 }  // namespace gw::irisgl::calls

@@ -23,19 +23,6 @@ bool is_word(const char* function, long value, long most) {
     return false;
 }
 
-constexpr GLenum source_factors[] = {GL_ZERO,
-                                     GL_ONE,
-                                     GL_DST_COLOR,
-                                     GL_ONE_MINUS_DST_COLOR,
-                                     GL_SRC_ALPHA,
-                                     GL_ONE_MINUS_SRC_ALPHA,
-                                     GL_DST_ALPHA,
-                                     GL_ONE_MINUS_DST_ALPHA,
-                                     GL_SRC_ALPHA_SATURATE};
-constexpr GLenum destination_factors[] = {GL_ZERO,      GL_ONE,
-                                          GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR,
-                                          GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA,
-                                          GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA};
 constexpr GLenum logic_ops[] = {GL_CLEAR,         GL_AND,         GL_AND_REVERSE, GL_COPY,
                                 GL_AND_INVERTED,  GL_NOOP,        GL_XOR,         GL_OR,
                                 GL_NOR,           GL_EQUIV,       GL_INVERT,      GL_OR_REVERSE,
@@ -49,11 +36,13 @@ void set_dither(long mode) {
 }
 
 void blendfunction(long source, long destination) {
-    if (!is_word("blendfunction", source, BF_MIN_SA_MDA) ||
-        !is_word("blendfunction", destination, BF_MDA))
+    if (!is_word("blendfunction", source, BF_MAX) || !is_word("blendfunction", destination, BF_MCC))
         return;
-    (source == BF_ONE && destination == BF_ZERO ? glDisable : glEnable)(GL_BLEND);
-    glBlendFunc(source_factors[source], destination_factors[destination]);
+    if (destination == BF_MIN_SA_MDA)
+        return warn("blendfunction: BF_MIN_SA_MDA is a factor of the source; it is ignored");
+    state().blend_source = source;
+    state().blend_destination = destination;
+    apply_blending();
 }
 void blendcolor(float r, float g, float b, float a) { glBlendColor(r, g, b, a); }
 

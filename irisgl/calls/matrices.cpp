@@ -42,9 +42,25 @@ void project(const dmat4& m) {
     (s.matrix_mode == MSINGLE ? s.matrices.back() : s.projection) = picking_matrix() * m;
 }
 
-bool is_one_of_three(const char* function, bool valid) {
+bool is_volume(const char* function, bool valid) {
     if (!valid) warn(std::string(function) + ": the volume is empty; it is ignored");
     return valid;
+}
+
+/// The eye at the origin, looking along -z; x and y of the near plane's middle, as shares of z.
+dmat4 perspective_matrix(double x_scale, double y_scale, double x, double y, double near,
+                         double far) {
+    dmat4 m(0);
+    m[0][0] = x_scale;
+    m[1][1] = y_scale;
+    m[2] = {x, y, -(far + near) / (far - near), -1};
+    m[3][2] = -2 * far * near / (far - near);
+    return m;
+}
+
+dmat4 frustum(double l, double r, double b, double t, double near, double far) {
+    return perspective_matrix(2 * near / (r - l), 2 * near / (t - b), (r + l) / (r - l),
+                              (t + b) / (t - b), near, far);
 }
 
 }  // namespace
@@ -112,32 +128,19 @@ void turn(double degrees, char axis) {
 }
 
 void window(Coord left, Coord right, Coord bottom, Coord top_, Coord near_, Coord far_) {
-    if (!is_one_of_three("window", left != right && bottom != top_ && near_ != far_)) return;
-    const double l = double(left), r = double(right), b = double(bottom), t = double(top_),
-                 n = double(near_), f = double(far_);
-    dmat4 m(0);
-    m[0][0] = 2 * n / (r - l);
-    m[1][1] = 2 * n / (t - b);
-    m[2] = {(r + l) / (r - l), (t + b) / (t - b), -(f + n) / (f - n), -1};
-    m[3][2] = -2 * f * n / (f - n);
-    project(m);
+    if (!is_volume("window", left != right && bottom != top_ && near_ != far_)) return;
+    project(frustum(double(left), double(right), double(bottom), double(top_), double(near_),
+                    double(far_)));
 }
 
 void perspective(Angle fovy, float aspect, Coord near_, Coord far_) {
-    if (!is_one_of_three("perspective", near_ != far_ && fovy > 0 && fovy < 1800 && aspect != 0))
-        return;
-    const double n = double(near_), f = double(far_);
+    if (!is_volume("perspective", near_ != far_ && fovy > 0 && fovy < 1800 && aspect != 0)) return;
     const double cot = 1 / tan_degrees(fovy / 20.0);
-    dmat4 m(0);
-    m[0][0] = cot / double(aspect);
-    m[1][1] = cot;
-    m[2] = {0, 0, -(f + n) / (f - n), -1};
-    m[3][2] = -2 * f * n / (f - n);
-    project(m);
+    project(perspective_matrix(cot / double(aspect), cot, 0, 0, double(near_), double(far_)));
 }
 
 void ortho(Coord left, Coord right, Coord bottom, Coord top_, Coord near_, Coord far_) {
-    if (!is_one_of_three("ortho", left != right && bottom != top_ && near_ != far_)) return;
+    if (!is_volume("ortho", left != right && bottom != top_ && near_ != far_)) return;
     const double l = double(left), r = double(right), b = double(bottom), t = double(top_),
                  n = double(near_), f = double(far_);
     dmat4 m(1);

@@ -31,8 +31,8 @@ void apply_word(Menu& menu, MenuEntry& entry, const std::string& word, bool& is_
     if (kind == 't') is_title = true;
     if (kind == 'x') entry.value = number;
     if (kind == 'l') entry.is_line_after = true;
-    if (kind == 'n') entry.value = 0;
-    if (kind == 'f') entry.function = va_arg(next, MenuFunction);
+    if (kind == 'f' || kind == 'n') entry.function = va_arg(next, MenuFunction);
+    if (kind == 'n') entry.ignores_menu = true;
     if (kind == 'F') menu.function = va_arg(next, MenuFunction);
     if (kind == 'm') entry.submenu = va_arg(next, int);
 }
@@ -106,14 +106,16 @@ void paint(PopupPlanes& planes, const OpenMenu& m) {
         const MenuEntry& e = m.menu.entries[std::size_t(i)];
         const int y = m.row_y(i);
         if (i == m.chosen) fill(planes, m.x, y, m.width, row_height, PUP_WHITE);
-        write(planes, m.x + margin, y + 4, e.text + (e.submenu != 0 ? " >" : ""), PUP_BLACK);
+        write(planes, m.x + margin, y + 4, e.mark + e.text + (e.submenu != 0 ? " >" : ""),
+              PUP_BLACK);
         if (e.is_line_after) fill(planes, m.x, y, m.width, 1, PUP_BLACK);
     }
 }
 
 OpenMenu opened(const Menu& menu, int x, int top) {
     std::size_t letters = menu.title.size();
-    for (const MenuEntry& e : menu.entries) letters = std::max(letters, e.text.size() + 2);
+    for (const MenuEntry& e : menu.entries)
+        letters = std::max(letters, e.mark.size() + e.text.size() + 2);
     OpenMenu m{menu, x, 0, int(letters) * 9 + 2 * margin, 0};
     m.height = m.header() + int(menu.entries.size()) * row_height;
     m.y = top - m.height;
@@ -130,7 +132,7 @@ int entry_at(const OpenMenu& m, int x, int y) {
 long result_of(const Menu& menu, const MenuEntry& entry) {
     long value = entry.value;
     if (entry.function != nullptr) value = entry.function(value);
-    if (menu.function != nullptr) value = menu.function(value);
+    if (menu.function != nullptr && !entry.ignores_menu) value = menu.function(value);
     return value;
 }
 
@@ -258,7 +260,10 @@ void setpup(long menu, long entry, unsigned long mode) {
     if (found == program().menus.all.end() || entry < 1 ||
         entry > long(found->second.entries.size()))
         return warn("setpup: the menu has no entry " + std::to_string(entry) + "; it is ignored");
-    found->second.entries[std::size_t(entry - 1)].is_grey = mode == PUP_GREY;
+    found->second.entries[std::size_t(entry - 1)].is_grey = (mode & PUP_GREY) != 0;
+    found->second.entries[std::size_t(entry - 1)].mark = (mode & PUP_CHECK) != 0 ? "[x] "
+                                                         : (mode & PUP_BOX) != 0 ? "[ ] "
+                                                                                 : "";
 }
 
 }  // namespace calls

@@ -23,7 +23,7 @@ void change(bool& member, bool to) {
     if (member == to) return;
     current_window().show_front();
     member = to;
-    state().now.planes[NORMALDRAW] = {};
+    state().now.planes[plane_of(NORMALDRAW)] = {};
     state().now.front = !state().double_buffered;
     state().now.back = true;
     apply_all();
@@ -53,7 +53,8 @@ void overlay(long planes) { current_window().set_aside_bits(0, planes); }
 void underlay(long planes) { current_window().set_aside_bits(1, planes); }
 
 void drawmode(long mode) {
-    if (mode < NORMALDRAW || mode > CURSORDRAW)
+    if (mode != NORMALDRAW && mode != PUPDRAW && mode != OVERDRAW && mode != UNDERDRAW &&
+        mode != CURSORDRAW)
         return warn(
             "drawmode: expected NORMALDRAW, PUPDRAW, OVERDRAW, UNDERDRAW or CURSORDRAW; it is "
             "ignored");
@@ -89,17 +90,19 @@ void swapbuffers() {
     w.swap();
     next_frame();
 }
-void mswapbuffers(long) { swapbuffers(); }
+void mswapbuffers(long which) {
+    if ((which & NORMALDRAW) != 0) swapbuffers();  // the other planes have one buffer
+}
 void swapinterval(short) {}
 void gflush() {
     current_window().show_front();
-    pass(polls_of_frame / 20);
+    pass(parts_of_flush);
 }
 void finish() { gflush(); }
-void gsync() { pass(polls_of_frame); }
+void gsync() { pass(parts_of_frame); }
 long sginap(long) {
     gflush();
-    pass(polls_of_frame);
+    pass(parts_of_frame);
     return 0;
 }
 
@@ -112,7 +115,7 @@ void greset() {
     w.state.now.front = !twice;
     ortho2(-0.5f, float(w.width()) - 0.5f, -0.5f, float(w.height()) - 0.5f);
     w.state.viewport = w.state.screen_mask = {0, w.width() - 1, 0, w.height() - 1};
-    apply_all();
+    reset_all();
 }
 
 long getgdesc(long what) {
@@ -149,7 +152,7 @@ long getgdesc(long what) {
                                               {GD_READSOURCE_ZBUFFER, 1},
                                               {GD_WSYS, GD_WSYS_4S},
                                               {GD_ZDRAW_PIXELS, 1},
-                                              {GD_NMMAPS, 0},
+                                              {GD_NMMAPS, 16},
                                               {GD_TIMERHZ, 60},
                                               {GD_AFUNCTION, 1},
                                               {GD_BITS_ACBUF, 16},
@@ -165,7 +168,37 @@ long getgdesc(long what) {
                                               {GD_SUBPIXEL_POLY, 1},
                                               {GD_TEXTURE, 1},
                                               {GD_TEXTURE_PERSP, 1},
-                                              {GD_SCRNTYPE, GD_SCRNTYPE_WM}};
+                                              {GD_SCRNTYPE, GD_SCRNTYPE_WM},
+                                              {GD_BITS_NORM_SNG_MMAP, 8},
+                                              {GD_BITS_NORM_DBL_MMAP, 8},
+                                              {GD_OVERUNDER_SHARED, 0},
+                                              {GD_CIFRACT, 1},
+                                              {GD_CROSSHAIR_CINDEX, 1},
+                                              {GD_LINESMOOTH_CMODE, 1},
+                                              {GD_PNTSMOOTH_CMODE, 0},
+                                              {GD_NURBS_ORDER, 8},
+                                              {GD_TRIMCURVE_ORDER, 8},
+                                              {GD_PATSIZE_64, 1},
+                                              {GD_PUP_TO_OVERUNDER, 0},
+                                              {GD_STEREO, 0},
+                                              {GD_ZDRAW_GEOM, 1},
+                                              {GD_TEXTPORT, 0},
+                                              {GD_FRAMEGRABBER, 0},
+                                              {GD_DBBOX, 0},
+                                              {GD_ALPHA_OVERUNDER, 0},
+                                              {GD_BITS_ACBUF_HW, 0},
+                                              {GD_SCRBOX, 1},
+                                              {GD_MUXPIPES, 0},
+                                              {GD_MULTISAMPLE, 0},
+                                              {GD_TEXTURE_3D, 0},
+                                              {GD_TEXTURE_LUT, 0},
+                                              {GD_TEXTURE_SHARP, 0},
+                                              {GD_TEXTURE_DETAIL, 0},
+                                              {GD_STEREO_IN_WINDOW, 0},
+                                              {GD_BLENDCOLOR, 1},
+                                              {GD_LIGHTING_SPOTLIGHT, 1},
+                                              {GD_LIGHTING_ATT2, 1},
+                                              {GD_AFUNCTION_MODES, 1}};
     const auto found = answers.find(what);
     return found == answers.end() ? -1 : found->second;
 }

@@ -77,11 +77,14 @@ void delobj(Object n) {
 void callobj(Object n) {
     const auto found = objects().all.find(n);
     if (found == objects().all.end() || objects().depth >= deepest) return;
+    if (!objects().called.insert(n).second)
+        return warn("callobj: object " + std::to_string(n) + " calls itself; it is ignored");
     ++objects().depth;
     objects().is_pruned = false;
     for (std::size_t i = 0; i < found->second.calls.size() && !objects().is_pruned; ++i)
         found->second.calls[i]();
     objects().is_pruned = false;
+    objects().called.erase(n);
     --objects().depth;
 }
 

@@ -46,6 +46,7 @@ void begin_picking(long n) {
 }  // namespace
 
 const dmat4& picking_matrix() { return picking().matrix; }
+bool picks() { return picking().is_on; }
 
 namespace calls {
 
@@ -56,7 +57,8 @@ void picksize(short x, short y) {
 
 // The region is centred at the cursor. [the manual's pick]
 void pick(short*, long n) {
-    if (picking().is_on) return warn("pick: a pick has begun; expected endpick; it is ignored");
+    if (picking().is_on || gives_feedback())
+        return warn("pick: a pick or feedback has begun; expected its end; it is ignored");
     const Window& w = current_window();
     const Bounds& v = state().viewport;
     const auto cursor = [](unsigned device) { return program().events.valuators[device].value; };
@@ -73,7 +75,8 @@ void pick(short*, long n) {
 }
 
 void gselect(short*, long n) {
-    if (picking().is_on) return warn("gselect: a pick has begun; it is ignored");
+    if (picking().is_on || gives_feedback())
+        return warn("gselect: a pick or feedback has begun; expected its end; it is ignored");
     begin_picking(n);
 }
 

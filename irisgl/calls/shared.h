@@ -37,7 +37,9 @@ void fog(long mode, Values params);
 void setdepth(long near_, long far_);
 void define_light(short kind, short index, Values props);
 void normal(float x, float y, float z);
-void texture_coordinate(float s, float t);
+void texture_coordinate(float s, float t, float r, float q);
+/// Words of a cursor of the type that curstype has chosen.
+long cursor_words();
 long read_rgb(short n, RGBvalue* r, RGBvalue* g, RGBvalue* b);
 void write_rgb(short n, RGBvalue* r, RGBvalue* g, RGBvalue* b);
 void character_move(double x, double y, double z);

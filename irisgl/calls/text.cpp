@@ -1,10 +1,13 @@
 // Characters and raster fonts.
 #include "irisgl/calls/shared.h"
+#include "irisgl/draw/picking.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/draw/screen_font.h"
 #include "irisgl/state/program.h"
 
 #include "generated/irisgl/calls.h"
+
+#include <GL/gl.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +36,7 @@ void fill_run(int x1, int x2, int y) {
     if (y < m.bottom || y > m.top) return;
     x1 = std::max(x1, m.left);
     x2 = std::min(x2, m.right);
-    if (x1 <= x2) fill_pixels({x1, x2, y, y});
+    if (x1 <= x2) fill_pixels({x1, x2, y, y}, state().character_depth);
 }
 
 /// A row of a glyph: runs of set bits.
@@ -53,14 +56,19 @@ void draw_row(const Glyph& g, int row, int x, int y) {
 
 void draw_text(const Font& font, const std::string& text) {
     State& s = state();
-    if (!s.is_character_valid) return;
+    if (!s.is_character_valid || gives_feedback()) return;
+    // Characters have no pattern, texture or sides.
+    glPushAttrib(GL_ENABLE_BIT | GL_POLYGON_BIT);
+    for (const GLenum off : {GL_POLYGON_STIPPLE, GL_CULL_FACE, GL_TEXTURE_2D}) glDisable(off);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     for (const char c : text) {
         const Glyph* const g = glyph_of(font, c);
         if (g == nullptr) continue;
         for (int row = 0; row < g->h; ++row)
             draw_row(*g, row, s.character[0] + g->xoff, s.character[1] + g->yoff + row);
-        s.character[0] = short(s.character[0] + g->width);
+        s.character[0] = short(std::clamp(s.character[0] + g->width, -0x8000, 0x7FFF));
     }
+    glPopAttrib();
 }
 
 long width_of(const Font& font, const std::string& text) {
@@ -117,14 +125,27 @@ long new_managed_font(double size) {
 
 }  // namespace
 
+namespace {
+
+bool is_byte_string(const char* function, long type) {
+    if (type != STR_B)
+        warn(std::string(function) + ": type " + std::to_string(type) +
+             " is not offered: characters have one byte, STR_B; it is ignored");
+    return type == STR_B;
+}
+
+}  // namespace
+
 void character_move(double x, double y, double z) {
     State& s = state();
     const dvec4 clip = clip_from_object({x, y, z, 1});
+    s.character_depth = clip.w > 0 ? clip.z / clip.w : 0;
     const auto is_in = [&](double v) { return v >= -clip.w && v <= clip.w; };
     s.is_character_valid = clip.w > 0 && is_in(clip.x) && is_in(clip.y) && is_in(clip.z);
     if (!s.is_character_valid) return;
     const dvec3 at = *window_from_object({x, y, z, 1});
     s.character = {short(std::floor(at.x)), short(std::floor(at.y))};
+    mark_character({at.x - 0.5, at.y - 0.5, double(z_min) + at.z * double(z_max - z_min)});
 }
 
 void getcpos(short* x, short* y) {
@@ -133,6 +154,9 @@ void getcpos(short* x, short* y) {
 }
 
 void charstr(const std::string& text) { draw_text(font_now(), text); }
+void lcharstr(long type, const std::string& text) {
+    if (is_byte_string("lcharstr", type)) charstr(text);
+}
 
 void defrasterfont(short n, short height, short count, Fontchar* chars, short rasters,
                    unsigned short* raster) {
@@ -145,11 +169,35 @@ void defrasterfont(short n, short height, short count, Fontchar* chars, short ra
         const Fontchar& c = chars[i];
         Glyph g{.w = c.w, .h = c.h, .xoff = c.xoff, .yoff = c.yoff, .width = c.width, .rows = {}};
         const int words = (c.w + 15) / 16 * c.h;
-        if (c.offset + words > rasters) g.h = 0;
+        if (c.offset + words > int(std::uint16_t(rasters))) g.h = 0;
         for (int k = 0; g.h > 0 && k < words; ++k) g.rows.push_back(raster[c.offset + k]);
         font.descender = std::max(font.descender, -int(c.yoff));
         font.glyphs.push_back(std::move(g));
     }
+    program().fonts[n] = std::move(font);
+}
+
+// "The value of a character is the number that a string has for it": 0 to 255 here.
+void deflfont(short n, short count, Lfontchar* chars, long rasters, unsigned short* raster) {
+    if (n == 0 || chars == nullptr || raster == nullptr || count < 0 || rasters > most_values)
+        return warn("deflfont: font " + std::to_string(n) +
+                    "; expected a number other than 0 and characters; it is ignored");
+    Font font{.glyphs = std::vector<Glyph>(256), .height = 0, .descender = 0};
+    for (int i = 0; i < count; ++i) {
+        const Lfontchar& c = chars[i];
+        const long words = c.w > 0 && c.h > 0 ? (c.w + 15L) / 16 * c.h : 0;
+        if (c.value > 255 || long(c.offset) + words > rasters) continue;
+        Glyph& g = font.glyphs[c.value];
+        g = {.w = words > 0 ? c.w : 0,
+             .h = words > 0 ? c.h : 0,
+             .xoff = c.xoff,
+             .yoff = c.yoff,
+             .width = c.xmove,
+             .rows = {raster + c.offset, raster + c.offset + words}};
+        font.height = std::max(font.height, c.h + c.yoff);
+        font.descender = std::max(font.descender, -int(c.yoff));
+    }
+    font.height += font.descender;
     program().fonts[n] = std::move(font);
 }
 
@@ -162,6 +210,9 @@ long getfont() { return state().now.font; }
 long getheight() { return font_now().height; }
 long getdescender() { return font_now().descender; }
 long strwidth(const std::string& s) { return width_of(font_now(), s); }
+long lstrwidth(long type, const std::string& s) {
+    return is_byte_string("lstrwidth", type) ? strwidth(s) : 0;
+}
 
 // The font manager: its one face is font 0, whatever is asked for.
 

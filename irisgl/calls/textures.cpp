@@ -78,7 +78,7 @@ void upload(const TextureDefinition& t) {
                  GL_UNSIGNED_BYTE, t.rgba.data());
 }
 
-GLenum axis_of(long coordinate) { return coordinate == TX_T ? GL_T : GL_S; }
+constexpr GLenum axes[] = {GL_S, GL_T, GL_R, GL_Q};
 
 }  // namespace
 
@@ -134,8 +134,10 @@ void tevbind(long, long index) {
 }
 
 void texgen(long coordinate, long mode, Values params) {
-    const GLenum axis = axis_of(coordinate),
-                 capability = axis == GL_S ? GL_TEXTURE_GEN_S : GL_TEXTURE_GEN_T;
+    if (coordinate < TX_S || coordinate > TX_Q)
+        return warn("texgen: coordinate " + std::to_string(coordinate) +
+                    "; expected TX_S, TX_T, TX_R or TX_Q; it is ignored");
+    const GLenum axis = axes[coordinate], capability = GL_TEXTURE_GEN_S + GLenum(coordinate - TX_S);
     if (mode == TG_OFF || mode == TG_ON) return (mode == TG_ON ? glEnable : glDisable)(capability);
     load_matrices();
     if (mode == TG_SPHEREMAP) {
@@ -149,6 +151,10 @@ void texgen(long coordinate, long mode, Values params) {
     }
 }
 
-void texture_coordinate(float s, float t) { state().texture_coordinate = {s, t}; }
+void texture_coordinate(float s, float t, float r, float q) {
+    state().texture_coordinate = {s, t, r, q};
+}
+
+long istexloaded(long, long index) { return program().textures.contains(index) ? 1 : 0; }
 
 }  // namespace gw::irisgl::calls

@@ -37,6 +37,26 @@ std::vector<float> keep(const T* from, long count) {
     return {from, from + count};
 }
 
+/// The product of counts; -1 if it has more than 63 bits.
+template <class... T>
+long product(T... counts) {
+    long all = 1;
+    const bool fits = (!__builtin_mul_overflow(all, long(counts), &all) && ...);
+    return fits ? all : -1;
+}
+
+/// The numbers of a point of a NURBS' type (N_XYZ): 2 to 5.
+inline long nurbs_size(long type) { return type >> 2 & 15; }
+/// Doubles from the first number of `n` control points to the last; a stride is in bytes. 0: nothing.
+inline long curve_size(long n, long stride, long type) {
+    const long size = n > 0 && stride > 0 ? product(n - 1, stride / 8) : -1;
+    return size < 0 || size > most_values ? 0 : size + nurbs_size(type);
+}
+inline long surface_size(long s, long t, long s_stride, long t_stride, long type) {
+    const long along = curve_size(s, s_stride, type), across = curve_size(t, t_stride, type);
+    return along == 0 || across == 0 ? 0 : along + across - nurbs_size(type);
+}
+
 /// Pixels of 32 bits in the caller's memory, in words of its type.
 struct Words {
     explicit Words(unsigned long* at) : wide(at) {}

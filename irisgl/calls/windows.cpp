@@ -22,16 +22,24 @@ struct Place {
     long x, y, width, height;
 };
 
+/// Makes the longer side shorter.
+void fit_aspect(Place& p, long x, long y) {
+    const double ratio = double(x) / double(y);
+    if (double(p.width) > double(p.height) * ratio)
+        p.width = long(double(p.height) * ratio);
+    else
+        p.height = long(double(p.width) / ratio);
+}
+
 Place take_hints() {
     const WindowHints h = std::exchange(program().hints, {});
     Place p{h.x, h.y, h.width > 0 ? h.width : default_width,
             h.height > 0 ? h.height : default_height};
-    if (h.width == 0 && h.aspect_x > 0 && h.aspect_y > 0)
-        p.width = std::max(1L, p.height * h.aspect_x / h.aspect_y);
     p.width = std::max(p.width, h.min_width);
     p.height = std::max(p.height, h.min_height);
     if (h.max_width > 0) p.width = std::min(p.width, h.max_width);
     if (h.max_height > 0) p.height = std::min(p.height, h.max_height);
+    if (h.width == 0 && h.aspect_x > 0 && h.aspect_y > 0) fit_aspect(p, h.aspect_x, h.aspect_y);
     p.width = std::clamp(p.width, 1L, screen_width);
     p.height = std::clamp(p.height, 1L, screen_height);
     if (!h.has_origin) {
@@ -197,9 +205,7 @@ void ginit() {
     winopen("");
 }
 void gexit() {
-    show_at_exit();
-    program().current = nullptr;
-    program().windows.clear();
+    while (!program().windows.empty()) winclose(program().windows.begin()->first);
 }
 
 void textport(Screencoord, Screencoord, Screencoord, Screencoord) {}
@@ -207,7 +213,7 @@ void tpon() {}
 void tpoff() {}
 void blankscreen(Boolean) {}
 void blanktime(long) {}
-void scrnattach(long) {}
+long scrnattach(long screen) { return screen == 0 || screen == INFOCUSSCRN ? 0 : -1; }
 long scrnselect(long) { return 0; }
 long getwscrn() { return 0; }
 long ismex() { return 1; }

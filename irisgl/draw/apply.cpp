@@ -3,6 +3,7 @@
 #include "irisgl/draw/lighting.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
+#include "irisgl/window/window.h"
 
 #include <GL/gl.h>
 
@@ -15,12 +16,13 @@ namespace {
 
 void set(GLenum capability, bool on) { (on ? glEnable : glDisable)(capability); }
 
-/// A pattern of 16 or 32 bits as OpenGL's stipple, bottom row first. One of 64: its lower left corner.
-std::array<GLubyte, 128> stipple_of(const Pattern& pattern) {
+/// A pattern as OpenGL's stipple, bottom row first: its 32 x 32 bits from (left, bottom).
+std::array<GLubyte, 128> stipple_of(const Pattern& pattern, int left = 0, int bottom = 0) {
     std::array<GLubyte, 128> out{};
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)
-            if (pattern.bit(x, y)) out[std::size_t(y * 4 + x / 8)] |= GLubyte(0x80 >> x % 8);
+            if (pattern.bit(left + x, bottom + y))
+                out[std::size_t(y * 4 + x / 8)] |= GLubyte(0x80 >> x % 8);
     return out;
 }
 
@@ -52,14 +54,40 @@ void apply_lines() {
     set(GL_POLYGON_SMOOTH, s.smooth.polygons);
 }
 
-void apply_pattern() {
+namespace {
+
+/// The pattern that polygons have; null: none.
+const Pattern* pattern_now() {
     const auto found = program().patterns.find(state().now.pattern);
-    const bool on = state().now.pattern != 0 && found != program().patterns.end();
-    set(GL_POLYGON_STIPPLE, on);
-    if (!on) return;
-    if (found->second.size == PATTERN_64)
-        warn("setpattern: a pattern of 64 x 64 bits; the machine repeats its lower left 32 x 32");
-    glPolygonStipple(stipple_of(found->second).data());
+    return state().now.pattern != 0 && found != program().patterns.end() ? &found->second : nullptr;
+}
+
+}  // namespace
+
+void apply_pattern() {
+    const Pattern* const pattern = pattern_now();
+    set(GL_POLYGON_STIPPLE, pattern != nullptr);
+    if (pattern != nullptr) glPolygonStipple(stipple_of(*pattern).data());
+}
+
+// The machine's patterns have 32 x 32 bits: of 64 x 64, each square of 32 x 32 pixels has its quarter.
+void draw_in_pattern(const Bounds& pixels, const std::function<void()>& draw) {
+    const Pattern* const pattern = pattern_now();
+    if (pattern == nullptr || pattern->size != PATTERN_64) return draw();
+    const Bounds& m = state().screen_mask;
+    const Window& w = current_window();
+    const Bounds in{
+        std::max({pixels.left, m.left, 0}), std::min({pixels.right, m.right, w.width() - 1}),
+        std::max({pixels.bottom, m.bottom, 0}), std::min({pixels.top, m.top, w.height() - 1})};
+    for (int y = in.bottom & ~31; y <= in.top; y += 32)
+        for (int x = in.left & ~31; x <= in.right; x += 32) {
+            const int left = std::max(x, in.left), bottom = std::max(y, in.bottom);
+            glScissor(left, bottom, std::min(x + 31, in.right) - left + 1,
+                      std::min(y + 31, in.top) - bottom + 1);
+            glPolygonStipple(stipple_of(*pattern, x & 63, y & 63).data());
+            draw();
+        }
+    glScissor(m.left, m.bottom, std::max(m.width(), 0), std::max(m.height(), 0));
 }
 
 void apply_polygons() {
@@ -75,10 +103,65 @@ void apply_polygons() {
 
 void apply_depth() {
     const State& s = state();
-    set(GL_DEPTH_TEST, s.depth_test && s.draw_mode == NORMALDRAW);
+    set(GL_DEPTH_TEST, s.depth_test && !s.compares_color && s.draw_mode == NORMALDRAW);
     glDepthFunc(GL_NEVER + GLenum(s.depth_function));
     glDepthMask(s.depth_write ? GL_TRUE : GL_FALSE);
     glDepthRange(depth_of(s.near), depth_of(s.far));
+}
+
+namespace {
+
+constexpr GLenum source_factors[] = {GL_ZERO,
+                                     GL_ONE,
+                                     GL_DST_COLOR,
+                                     GL_ONE_MINUS_DST_COLOR,
+                                     GL_SRC_ALPHA,
+                                     GL_ONE_MINUS_SRC_ALPHA,
+                                     GL_DST_ALPHA,
+                                     GL_ONE_MINUS_DST_ALPHA,
+                                     GL_SRC_ALPHA_SATURATE,
+                                     GL_CONSTANT_ALPHA,
+                                     GL_ONE_MINUS_CONSTANT_ALPHA,
+                                     GL_CONSTANT_COLOR,
+                                     GL_ONE_MINUS_CONSTANT_COLOR};
+constexpr GLenum destination_factors[] = {GL_ZERO,
+                                          GL_ONE,
+                                          GL_SRC_COLOR,
+                                          GL_ONE_MINUS_SRC_COLOR,
+                                          GL_SRC_ALPHA,
+                                          GL_ONE_MINUS_SRC_ALPHA,
+                                          GL_DST_ALPHA,
+                                          GL_ONE_MINUS_DST_ALPHA,
+                                          GL_ZERO,
+                                          GL_CONSTANT_ALPHA,
+                                          GL_ONE_MINUS_CONSTANT_ALPHA,
+                                          GL_CONSTANT_COLOR,
+                                          GL_ONE_MINUS_CONSTANT_COLOR};
+
+/// zsource(ZSRC_COLOR): the lesser or greater colour stays. 0: colours are not compared.
+GLenum color_comparison() {
+    const State& s = state();
+    if (!s.compares_color || !s.depth_test || s.draw_mode != NORMALDRAW) return 0;
+    if (s.depth_function == ZF_LESS || s.depth_function == ZF_LEQUAL) return GL_MIN;
+    if (s.depth_function == ZF_GREATER || s.depth_function == ZF_GEQUAL) return GL_MAX;
+    if (s.depth_function != ZF_ALWAYS)
+        warn("zsource: colours are compared by ZF_LESS, LEQUAL, GREATER, GEQUAL; all are drawn");
+    return 0;
+}
+
+}  // namespace
+
+void apply_blending() {
+    const State& s = state();
+    const long source = s.blend_source, destination = s.blend_destination;
+    GLenum equation = color_comparison();
+    if (equation == 0)
+        equation = source == BF_MIN ? GL_MIN : source == BF_MAX ? GL_MAX : GL_FUNC_ADD;
+    const bool adds = equation == GL_FUNC_ADD;
+    set(GL_BLEND, !adds || source != BF_ONE || destination != BF_ZERO);
+    glBlendEquation(equation);
+    glBlendFunc(adds ? source_factors[source] : GL_ONE,
+                adds ? destination_factors[destination] : GL_ONE);
 }
 
 void apply_buffers() {
@@ -99,7 +182,20 @@ void apply_color_mask() {
 void apply_draw_mode() {
     apply_buffers();
     apply_depth();
+    apply_blending();
     apply_color_mask();
+}
+
+void reset_all() {
+    for (const GLenum off :
+         {GL_ALPHA_TEST, GL_STENCIL_TEST, GL_FOG, GL_TEXTURE_2D, GL_COLOR_LOGIC_OP, GL_LIGHTING,
+          GL_COLOR_MATERIAL, GL_TEXTURE_GEN_S, GL_TEXTURE_GEN_T, GL_TEXTURE_GEN_R, GL_TEXTURE_GEN_Q,
+          GL_POLYGON_OFFSET_FILL})
+        glDisable(off);
+    for (int i = 0; i < 6; ++i) glDisable(GL_CLIP_PLANE0 + GLenum(i));
+    for (int i = 0; i < light_count; ++i) glDisable(GL_LIGHT0 + GLenum(i));
+    glStencilMask(0xFF);
+    apply_all();
 }
 
 void apply_all() {

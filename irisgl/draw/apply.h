@@ -1,14 +1,23 @@
 // Gives OpenGL the state of the current window, group by group.
 #pragma once
 
+#include "irisgl/state/state.h"
+
+#include <functional>
+
 namespace gw::irisgl {
 
 void apply_all();
+/// Also turns off what only OpenGL keeps: fog, stencil, textures ...
+void reset_all();
 void apply_viewport();
 void apply_lines();
 void apply_pattern();
 void apply_polygons();
+/// Draws polygons inside `pixels`, with a pattern of 64 x 64 bits square by square.
+void draw_in_pattern(const Bounds& pixels, const std::function<void()>& draw);
 void apply_depth();
+void apply_blending();
 void apply_buffers();
 void apply_color_mask();
 /// The state of the draw mode: other planes, other masks.

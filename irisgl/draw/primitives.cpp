@@ -1,6 +1,8 @@
 #include "irisgl/draw/primitives.h"
 
+#include "irisgl/draw/apply.h"
 #include "irisgl/draw/index_texture.h"
+#include "irisgl/draw/picking.h"
 #include "irisgl/draw/tessellate.h"
 #include "irisgl/state/program.h"
 
@@ -19,7 +21,7 @@ Assembly& assembly() {
 
 PlaneState& planes_now() {
     State& s = state();
-    return s.now.planes[std::size_t(s.draw_mode)];
+    return s.now.planes[plane_of(s.draw_mode)];
 }
 
 bool draws_indices() { return state().draw_mode != NORMALDRAW || !state().rgb_mode; }
@@ -46,6 +48,8 @@ namespace {
 
 constexpr GLenum gl_shapes[] = {GL_POINTS,         GL_LINE_STRIP, GL_LINE_LOOP, GL_POLYGON,
                                 GL_TRIANGLE_STRIP, GL_TRIANGLES,  GL_QUAD_STRIP};
+
+unsigned byte_of(float v) { return unsigned(std::floor(std::clamp(v, 0.0f, 1.0f) * 255 + 0.5f)); }
 
 unsigned rounded(double index) {
     return unsigned(std::clamp(std::floor(index + 0.5), 0.0, double(index_mask)));
@@ -87,10 +91,12 @@ bool is_uniform(std::span<const Vertex> vertices) {
 
 struct Emission {
     bool indices = false, texture = false, lit = false, mixed = false;
+    bool is_number = false;  ///< feedback: the index is a coordinate
     MaskPass pass = MaskPass::Whole;
 };
 
 void emit_color(const Vertex& v, const Emission& e) {
+    if (e.is_number) return glTexCoord1d(v.index);
     if (e.indices) {
         const unsigned mask = planes_now().writemask;
         if (e.pass == MaskPass::And)
@@ -106,7 +112,7 @@ void emit_color(const Vertex& v, const Emission& e) {
         glNormal3f(v.normal.x, v.normal.y, v.normal.z);
     }
     glColor4f(v.rgb.x, v.rgb.y, v.rgb.z, v.rgb.w);
-    if (state().textured) glTexCoord2f(v.texture.x, v.texture.y);
+    if (state().textured) glTexCoord4f(v.texture.x, v.texture.y, v.texture.z, v.texture.w);
 }
 
 void emit(GLenum mode, std::span<const Vertex> vertices, const Emission& e) {
@@ -121,7 +127,8 @@ void emit(GLenum mode, std::span<const Vertex> vertices, const Emission& e) {
 /// A line of one pixel has both its ends.
 bool adds_last_point(Shape shape) {
     const State& s = state();
-    return shape == Shape::Line && s.now.line_width == 1 && s.now.linestyle == 0 && !s.smooth.lines;
+    return shape == Shape::Line && !gives_feedback() && s.now.line_width == 1 &&
+           s.now.linestyle == 0 && !s.smooth.lines;
 }
 
 void emit_shape(Shape shape, std::span<const Vertex> vertices, const Emission& e) {
@@ -148,6 +155,8 @@ template <class Draw>
 void with_index_mask(Emission e, const Draw& draw) {
     const unsigned mask = planes_now().writemask & index_mask;
     if (mask == 0 && !state().depth_test) return;
+    if (mask > 0xFF && state().compares_color && state().depth_test)
+        warn("zsource: colours above 255 are compared by parts: their low 8 and high 4 bits");
     if (is_whole_channels(mask)) {
         set_index_mask(mask);
         draw(e);
@@ -188,8 +197,13 @@ std::vector<Vertex> unswapped(std::span<const Vertex> in, const std::vector<std:
 }
 
 void draw_indices(Shape shape, std::span<const Vertex> vertices) {
+    if (gives_feedback()) {
+        glDisable(GL_LIGHTING);
+        return emit_shape(shape, vertices, {.indices = true, .is_number = true});
+    }
     Emission e{.indices = true};
-    e.texture = !is_uniform(vertices) && bind_index_texture(planes_now().writemask);
+    e.texture = shape != Shape::Points && !is_uniform(vertices) &&
+                bind_index_texture(planes_now().writemask);
     glDisable(GL_LIGHTING);
     with_index_mask(e, [&](const Emission& pass) {
         use_index_texture(pass.texture);
@@ -257,10 +271,78 @@ void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
     if (e.mixed) emit_material(true, {});
 }
 
+/// zdraw: the colour also becomes the depth, as a number of 24 bits.
+void draw_into_depths(Shape shape, std::span<const Vertex> vertices) {
+    const Vertex& first = vertices.front();
+    if (!std::all_of(vertices.begin(), vertices.end(), [&](const Vertex& v) {
+            return v.rgb == first.rgb && v.index == first.index && !v.is_lit;
+        }))
+        return warn(
+            "zdraw: what has several colours, or light, is not drawn into the Z-buffer; expected "
+            "one colour");
+    std::uint32_t number = rounded(first.index);
+    for (int i = 0; i < 3 && !draws_indices(); ++i)
+        number = (i == 0 ? 0 : number) | byte_of(first.rgb[i]) << 8 * i;
+    const double depth = depth_of(std::int32_t(number << 8) >> 8);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+    glDepthRange(depth, depth);
+    emit_shape(shape, vertices, {});
+    apply_depth();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    apply_color_mask();
+}
+
+bool is_area(Shape shape) {
+    return shape != Shape::Points && shape != Shape::Line && shape != Shape::ClosedLine;
+}
+
+/// Until `draw` has returned, vertices are in the window's own coordinates, -1 .. 1.
+template <class Draw>
+void draw_on_window(const Draw& draw) {
+    const Window& w = current_window();
+    glMatrixMode(GL_PROJECTION);
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+    glLoadIdentity();
+    glViewport(0, 0, w.width(), w.height());
+    draw();
+    const Bounds& view = state().viewport;
+    glViewport(view.left, view.bottom, view.width(), view.height());
+}
+
+/// False: no line, or not smooth, or not of indices.
+bool draw_smooth_line(Shape shape, std::span<const Vertex> vertices) {
+    const State& s = state();
+    if (!s.smooth.lines || !draws_indices() || gives_feedback() || picks()) return false;
+    if (shape != Shape::Line && shape != Shape::ClosedLine) return false;
+    const auto pixels = smooth_pixels(vertices, shape == Shape::ClosedLine);
+    if (pixels.empty()) return true;
+    glDisable(GL_POINT_SMOOTH);
+    glPointSize(1);
+    draw_on_window([&] { draw_indices(Shape::Points, pixels); });
+    apply_lines();
+    return true;
+}
+
+void draw_with_state(Shape shape, std::span<const Vertex> vertices, const Bounds& pixels) {
+    const auto draw = [&] {
+        draws_indices() ? draw_indices(shape, vertices) : draw_rgb(shape, vertices);
+    };
+    track(pixels);
+    if (draw_smooth_line(shape, vertices)) return;
+    is_area(shape) ? draw_in_pattern(pixels, draw) : draw();
+    if (state().draws_depth && state().draw_mode == NORMALDRAW && !gives_feedback() && !picks())
+        draw_into_depths(shape, vertices);
+}
+
 }  // namespace
 
 void draw_shape(Shape shape, std::span<const Vertex> given) {
     if (given.empty()) return;
+    pass(state().double_buffered ? parts_of_unshown_primitive : parts_of_primitive);
     std::vector<Vertex> vertices(given.begin(), given.end());
     const State& s = state();
     if (shape == Shape::Mesh && !assembly().swaps.empty()) {
@@ -276,28 +358,22 @@ void draw_shape(Shape shape, std::span<const Vertex> given) {
         shape = Shape::Triangles;
     }
     load_matrices();
-    draws_indices() ? draw_indices(shape, vertices) : draw_rgb(shape, vertices);
+    const bool needs_bounds = s.box.is_tracked || s.now.pattern != 0;
+    draw_with_state(shape, vertices, needs_bounds ? pixels_around(vertices) : Bounds{});
 }
 
-void fill_pixels(const Bounds& p) {
+void fill_pixels(const Bounds& p, double depth) {
     const Window& w = current_window();
-    glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glMatrixMode(GL_MODELVIEW);
-    glLoadIdentity();
-    glViewport(0, 0, w.width(), w.height());
     const auto x = [&](int pixel) { return 2.0 * pixel / w.width() - 1; };
     const auto y = [&](int pixel) { return 2.0 * pixel / w.height() - 1; };
     Vertex v = vertex_here(0, 0, 0);
     v.is_lit = false;
     std::vector<Vertex> corners(4, v);
-    corners[0].p = {x(p.left), y(p.bottom), 0, 1};
-    corners[1].p = {x(p.right + 1), y(p.bottom), 0, 1};
-    corners[2].p = {x(p.right + 1), y(p.top + 1), 0, 1};
-    corners[3].p = {x(p.left), y(p.top + 1), 0, 1};
-    draws_indices() ? draw_indices(Shape::Polygon, corners) : draw_rgb(Shape::Polygon, corners);
-    const Bounds& view = state().viewport;
-    glViewport(view.left, view.bottom, view.width(), view.height());
+    corners[0].p = {x(p.left), y(p.bottom), depth, 1};
+    corners[1].p = {x(p.right + 1), y(p.bottom), depth, 1};
+    corners[2].p = {x(p.right + 1), y(p.top + 1), depth, 1};
+    corners[3].p = {x(p.left), y(p.top + 1), depth, 1};
+    draw_on_window([&] { draw_with_state(Shape::Polygon, corners, p); });
 }
 
 }  // namespace gw::irisgl

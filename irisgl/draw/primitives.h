@@ -20,7 +20,7 @@ struct Vertex {
     double index = 0;
     vec4 rgb{0, 0, 0, 1};
     vec3 normal{0, 0, 1};
-    vec2 texture{0, 0};
+    vec4 texture{0, 0, 0, 1};
     bool is_lit = false;
 };
 
@@ -37,12 +37,18 @@ Assembly& assembly();
 /// The current values at a place.
 Vertex vertex_here(double x, double y, double z, double w = 1);
 void draw_shape(Shape shape, std::span<const Vertex> vertices);
-/// A rectangle of whole pixels of the window, both ends included, in the current colour; `depth` of
-/// lsetdepth's range.
-void fill_pixels(const Bounds& pixels);
+/// A rectangle of whole pixels of the window, both ends included, in the current colour, at a depth of
+/// -1 .. 1.
+void fill_pixels(const Bounds& pixels, double depth = 0);
 /// If the rectangle's edges are rows and columns of pixels on the screen, moves its corners half a pixel
 /// out: IRIS GL's rectangles own the pixels of all their edges.
 void own_edge_pixels(std::vector<dvec4>& corners);
+/// The pixels around vertices; of the whole window if one is behind the eye.
+Bounds pixels_around(std::span<const Vertex> vertices);
+/// scrbox: these pixels are drawn to.
+void track(const Bounds& pixels);
+/// The pixels of a smooth line in colour map mode as points in the window's coordinates, -1 .. 1.
+std::vector<Vertex> smooth_pixels(std::span<const Vertex> line, bool is_closed);
 /// Brings OpenGL's matrices up to date.
 void load_matrices();
 /// Clip coordinates.

@@ -40,6 +40,8 @@ class Parameter:
             self.outer = "4"
         elif sizes:
             self.kind, self.count = "array", "*".join(f"({s})" for s in sizes)
+            if not self.fixed():
+                self.count = f"product({', '.join(sizes)})"
             self.outer = sizes[0]
             self.inner = "".join(f"[{s}]" for s in sizes[1:])
         elif self.type == "String":
@@ -161,6 +163,11 @@ def body(e, is_int):
         returned = "" if e.result == "void" else "return "
         return f"    {returned}left_out(\"{e.name}\", \"{e.reason}\");"
     before, after, arguments = [], [], e.arguments
+    for p in e.parameters:
+        if p.kind == "out":
+            t = "int" if is_int and p.is_long() else p.type
+            before += [f"    {t} {p.name}_unused = {{}};",
+                       f"    if ({p.name} == nullptr) {p.name} = &{p.name}_unused;"]
     if is_int:
         for p in e.parameters:
             if p.kind == "out" and p.is_long():

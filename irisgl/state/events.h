@@ -15,7 +15,9 @@
 namespace gw::irisgl {
 
 inline constexpr std::size_t queue_length = 101;
-inline constexpr unsigned polls_of_frame = 1000;
+/// Parts of a frame that calls are worth, in programs that swap no buffers. docs/irisgl.md
+inline constexpr unsigned parts_of_frame = 100'000, parts_of_poll = 100, parts_of_flush = 5'000,
+                          parts_of_primitive = 10, parts_of_unshown_primitive = 1;
 
 struct Event {
     unsigned device = 0;
@@ -24,6 +26,7 @@ struct Event {
 
 struct Valuator {
     long value = 0, low = 0, high = 1279;
+    long queued = 0;  ///< the value of the last change that counted: noise
 };
 
 /// A line of GW_INPUT: what happens before frame `frame` is drawn.
@@ -39,13 +42,14 @@ struct Events {
     std::set<unsigned> queued;
     std::map<unsigned, std::pair<unsigned, unsigned>> ties;
     std::set<unsigned> down;
-    std::map<unsigned, Valuator> valuators{{MOUSEX, {.value = 639, .low = 0, .high = 1279}},
-                                           {MOUSEY, {.value = 511, .low = 0, .high = 1023}}};
+    std::map<unsigned, Valuator> valuators{
+        {MOUSEX, {.value = 639, .low = 0, .high = 1279, .queued = 639}},
+        {MOUSEY, {.value = 511, .low = 0, .high = 1023, .queued = 511}}};
     std::map<unsigned, long> noise;
     std::deque<ScriptedEvent> script;
     bool is_script_read = false;
-    std::uint64_t frame = 0;  ///< swaps, or a thousand polls each
-    unsigned polls = 0;
+    std::uint64_t frame = 0;  ///< swaps, or parts_of_frame
+    unsigned parts = 0;
 };
 
 /// Adds an event that a device makes: if it is queued, with the valuators that are tied to it.
@@ -55,8 +59,8 @@ void enter(unsigned device, long value);
 /// Takes what the screen and the script have, shows what was drawn, and ends a program that waits in
 /// vain (`waits`), or has shown its last frame.
 void poll(bool waits);
-/// Counts calls that show or begin a picture as `polls` polls: a loop of them ends with GW_FRAMES.
-void pass(unsigned polls);
+/// Counts a call as `parts` of a frame: a loop of such calls ends with GW_FRAMES.
+void pass(unsigned parts);
 /// The script's next events are due: a swap.
 void next_frame();
 /// The device of this name, as LEFTMOUSE or AKEY; 0: there is none.

@@ -11,10 +11,12 @@ namespace gw::irisgl {
 struct MenuEntry {
     std::string text;
     long value = 0;
-    long (*function)(long) = nullptr;  ///< %f
+    long (*function)(long) = nullptr;  ///< %f, %n
     long submenu = 0;                  ///< %m
     bool is_line_after = false;        ///< %l
     bool is_grey = false;              ///< setpup
+    bool ignores_menu = false;         ///< %n: the menu's function is not called
+    std::string mark;                  ///< setpup: "[ ] " or "[x] " before the text
 };
 
 struct Menu {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 namespace gw::irisgl {
@@ -30,6 +31,7 @@ struct Objects {
     std::map<long, ObjectList> all;
     OpenObject open;
     int depth = 0;           ///< of callobj
+    std::set<long> called;   ///< the objects that are being called
     bool is_pruned = false;  ///< bbox2: the called object ends here
     long last_generated = 0;
 };

@@ -1,6 +1,7 @@
 // All that a program of IRIS GL has outside its windows: definitions, objects, the colour map, devices.
 #pragma once
 
+#include "irisgl/state/cursor_image.h"
 #include "irisgl/state/events.h"
 #include "irisgl/state/menus.h"
 #include "irisgl/state/objects.h"
@@ -27,12 +28,23 @@ struct Blink {
     bool shows_other = false;
 };
 
+/// After `duration` retraces the map `next` follows.
+struct Cycle {
+    short duration = 0;
+    unsigned next = 0;
+};
+
 struct ColorMap {
     ColorMap();
     std::array<MapEntry, 4096> entries{};
     std::map<unsigned, Blink> blinks;
-    /// Of overlay, underlay and pop-up planes.
-    std::array<std::array<MapEntry, 256>, 3> aside{};
+    /// Of overlay, underlay and pop-up planes, and of cursors.
+    std::array<std::array<MapEntry, 256>, 4> aside{};
+    bool is_multi = false;             ///< 16 maps of 256 entries each instead of one
+    unsigned number = 0;               ///< setmap
+    std::map<unsigned, Cycle> cycles;  ///< by map: cyclemap
+    /// The entry of an index in the map that is shown.
+    unsigned place(unsigned index) const { return is_multi ? number * 256 + index % 256 : index; }
     std::array<std::array<std::uint8_t, 256>, 3> gamma{};
     std::uint64_t changes = 0;
 };
@@ -84,11 +96,6 @@ struct TextureDefinition {
     unsigned version = 0;
 };
 
-struct CursorImage {
-    std::array<std::uint16_t, 16> rows{};
-    short x = 0, y = 0;
-};
-
 /// What prefposition and its kin ask of the next window.
 struct WindowHints {
     long width = 0, height = 0;  ///< 0: any
@@ -119,6 +126,7 @@ struct Program {
     std::map<long, TextureDefinition> textures;
     std::map<long, std::vector<float>> environments;
     std::map<short, CursorImage> cursors;
+    std::size_t cursor_type = 0;  ///< curstype
     short cursor = 0;
     bool is_cursor_on = true;
 };

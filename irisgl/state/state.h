@@ -4,6 +4,8 @@
 #include "gw/base/types.h"
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -34,6 +36,11 @@ struct PlaneState {
     std::uint32_t rgb_mask = 0xFFFFFFFF;
 };
 
+/// The place of a draw mode in Attributes: drawmode's words are bits from 0x10 on.
+constexpr std::size_t plane_of(long draw_mode) {
+    return std::size_t(std::countr_zero(static_cast<unsigned long>(draw_mode)) - 4);
+}
+
 /// What pushattributes keeps.
 struct Attributes {
     std::array<PlaneState, 5> planes;
@@ -55,11 +62,28 @@ struct DepthCue {
     long near = z_min, far = z_max;
 };
 
+/// How lrectread and lrectwrite see the program's memory: pixmode.
+struct PixelMemory {
+    long shift = 0;  ///< bits to the left when written, to the right when read
+    bool expands = false;
+    std::uint32_t c0 = 0, c1 = 0;  ///< what a bit that expands becomes
+    long add = 0;                  ///< to the lower 24 bits
+    long size = 32;                ///< bits of a pixel
+    long offset = 0;               ///< bits of a row before its first pixel
+    long stride = 0;               ///< words of a row; 0: as many as it needs
+    bool top_to_bottom = false, right_to_left = false, are_depths = false;
+};
+
 struct Pixels {
     float zoom_x = 1, zoom_y = 1;
     long source = 0;  ///< readsource
-    long shift = 0, expand = 0, c0 = 0, c1 = 0, add = 0, size = 32, offset = 0, stride = 0;
-    bool top_to_bottom = false, right_to_left = false;
+    PixelMemory memory;
+};
+
+/// The smallest box of pixels around what was drawn: scrbox. Empty: left is greater than right.
+struct ScreenBox {
+    bool is_tracked = false;
+    long left = 0x7fff, right = -1, bottom = 0x7fff, top = -1;
 };
 
 /// What lmbind has bound; 0: nothing.
@@ -73,7 +97,7 @@ struct Bound {
 
 struct State {
     bool rgb_mode = false, double_buffered = false;
-    long draw_mode = 0;  ///< NORMALDRAW
+    long draw_mode = 0x10;  ///< NORMALDRAW
     Attributes now;
     std::vector<Attributes> attribute_stack;
     long matrix_mode = 0;  ///< MSINGLE
@@ -82,20 +106,24 @@ struct State {
     Bounds viewport, screen_mask;
     std::vector<std::array<Bounds, 2>> viewport_stack;
     bool depth_test = false, depth_write = true;
-    long depth_function = 3;  ///< ZF_LEQUAL
+    long depth_function = 3;                       ///< ZF_LEQUAL
+    long blend_source = 1, blend_destination = 0;  ///< BF_ONE, BF_ZERO
     long near = z_min, far = z_max;
     bool backface = false, frontface = false, concave = false, line_backup = false,
-         line_reset = true, subpixel = false, draws_depth = false, textured = false;
-    long polygon_mode = 3;  ///< PYM_FILL
+         line_reset = true, subpixel = false, draws_depth = false, textured = false,
+         compares_color = false;  ///< zsource(ZSRC_COLOR)
+    long polygon_mode = 1;        ///< PYM_FILL
     LineSmoothing smooth;
     DepthCue cue;
     Pixels pixels;
     Bound bound;
+    ScreenBox box;
     dvec4 position{0, 0, 0, 1};  ///< the graphics position
     vec3 normal{0, 0, 1};
-    vec2 texture_coordinate{0, 0};
+    vec4 texture_coordinate{0, 0, 0, 1};
     bool is_lit = false;  ///< a normal came after the last colour
     std::array<short, 2> character{};
+    double character_depth = 0;  ///< -1 .. 1
     bool is_character_valid = true;
     short basis = 0, u_basis = 0, v_basis = 0;
     std::optional<dmat4> curve_matrix;

@@ -85,15 +85,27 @@ void listen(int milliseconds) {
     w.host()->poll(listener, milliseconds);
 }
 
+/// Maps follow one another as cyclemap has said; `retraces` since the program began.
+void cycle_maps(long retraces) {
+    ColorMap& map = program().colors;
+    static long since = 0;
+    const auto now = map.cycles.find(map.number);
+    if (!map.is_multi || now == map.cycles.end() || retraces - since < now->second.duration) return;
+    since = retraces;
+    map.number = now->second.next;
+    ++map.changes;
+}
+
 /// Blinking colours exchange with each 60th of a second that the rate says.
 void blink_colors() {
     ColorMap& map = program().colors;
-    if (map.blinks.empty()) return;
+    if (map.blinks.empty() && map.cycles.empty()) return;
     using Clock = std::chrono::steady_clock;
     static const auto begin = Clock::now();
     const long retraces =
         std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin).count() * 60 /
         1000;
+    if (has_screen()) cycle_maps(retraces);
     for (auto& [index, blink] : map.blinks) {
         const bool other = has_screen() && retraces / std::max<long>(blink.rate, 1) % 2 == 1;
         if (other != blink.shows_other) ++map.changes;
@@ -113,9 +125,11 @@ void happen(unsigned device, long value) {
     Events& all = events();
     if (device >= 256 && device < 512) {
         Valuator& v = all.valuators[device];
-        const long before = v.value;
         v.value = std::clamp(value, v.low, std::max(v.low, v.high));
-        if (v.value == before) return;
+        const auto noise = all.noise.find(device);
+        const long least = noise != all.noise.end() ? std::max(noise->second, 1L) : 1;
+        if (std::abs(v.value - v.queued) < least) return;
+        v.queued = v.value;
     } else if (device < 256) {
         value != 0 ? void(all.down.insert(device)) : void(all.down.erase(device));
     }
@@ -130,7 +144,7 @@ void happen(unsigned device, long value) {
 void next_frame() {
     Events& all = events();
     ++all.frame;
-    all.polls = 0;
+    all.parts = 0;
     blink_colors();
     play_script(false);
     if (has_screen()) listen(0);
@@ -155,6 +169,7 @@ void poll(bool waits) {
             shown = Clock::now();
         }
         listen(0);
+        if (!waits) pass(parts_of_poll);
         while (waits && all.queue.empty()) {
             blink_colors();
             w.present();
@@ -165,19 +180,21 @@ void poll(bool waits) {
     }
     if (!w.state.double_buffered && waits) w.show_front();
     if (waits && all.queue.empty()) end_program("qread: no more events come");
-    pass(1);
+    pass(parts_of_poll);
 }
 
-void pass(unsigned polls) {
+void pass(unsigned parts) {
     Events& all = events();
-    if (program().current == nullptr || has_screen()) return;
-    all.polls += polls;
-    if (all.polls < polls_of_frame) return;
-    all.polls = 0;
+    if (program().current == nullptr) return;
+    all.parts += parts;
+    if (all.parts < parts_of_frame) return;
+    all.parts = 0;
+    const gl::FrameRange frames = gl::read_frame_range();
+    const bool ends = frames.last != gl::FrameRange().last;
+    if (has_screen() && !ends) return;  // whoever looks at it ends it
     ++all.frame;
     Window& w = *program().current;
     if (!w.state.double_buffered) w.show_front();
-    const gl::FrameRange frames = gl::read_frame_range();
     if (all.frame > frames.last) end_program("the last frame of GW_FRAMES is over");
 }
 

@@ -6,10 +6,12 @@
 #include "irisgl/include/gl/device.h"
 
 #include <X11/Xutil.h>
+#include <X11/cursorfont.h>
 #include <X11/keysym.h>
 #include <poll.h>
 
 #include <cstdlib>
+#include <vector>
 
 namespace gw::irisgl {
 
@@ -136,6 +138,44 @@ public:
         up ? XRaiseWindow(display_, window_) : XLowerWindow(display_, window_);
     }
     void ring() override { XBell(display_, 0); }
+    // X has cursors of two colours: the third is drawn as the second.
+    void show_image(const CursorImage& image, std::span<const std::uint32_t> colors) override {
+        if (image.is_cross) {
+            const ::Cursor cross = XCreateFontCursor(display_, XC_crosshair);
+            XDefineCursor(display_, window_, cross);
+            XFreeCursor(display_, cross);
+            return;
+        }
+        const int row = image.size / 8;
+        std::vector<char> front(std::size_t(row * image.size)), mask(front.size());
+        for (int i = 0; i < image.size * image.size; ++i) {
+            const int x = i % image.size, y = image.size - 1 - i / image.size;
+            const int value = image.pixels[std::size_t(i)];
+            const std::size_t at = std::size_t(y * row + x / 8);
+            if (value == 1) front[at] = char(front[at] | 1 << x % 8);
+            if (value != 0) mask[at] = char(mask[at] | 1 << x % 8);
+        }
+        const auto bitmap = [&](const std::vector<char>& bits) {
+            return XCreateBitmapFromData(display_, window_, bits.data(), unsigned(image.size),
+                                         unsigned(image.size));
+        };
+        const auto color = [](std::uint32_t c) {
+            XColor out{};
+            out.red = static_cast<unsigned short>((c & 0xFF) * 257);
+            out.green = static_cast<unsigned short>((c >> 8 & 0xFF) * 257);
+            out.blue = static_cast<unsigned short>((c >> 16 & 0xFF) * 257);
+            return out;
+        };
+        XColor first = color(colors[1]), second = color(colors[2]);
+        const Pixmap shape = bitmap(front), whole = bitmap(mask);
+        const ::Cursor cursor =
+            XCreatePixmapCursor(display_, shape, whole, &first, &second, unsigned(image.x),
+                                unsigned(image.size - 1 - image.y));
+        XDefineCursor(display_, window_, cursor);
+        XFreeCursor(display_, cursor);
+        XFreePixmap(display_, shape);
+        XFreePixmap(display_, whole);
+    }
     void show_cursor(bool on) override {
         if (on) {
             XUndefineCursor(display_, window_);

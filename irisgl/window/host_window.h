@@ -1,6 +1,8 @@
 // A window on a screen: X11, or none. Does not know the machine.
 #pragma once
 
+#include "irisgl/state/cursor_image.h"
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -29,6 +31,8 @@ public:
     virtual void raise(bool up) = 0;
     virtual void ring() = 0;
     virtual void show_cursor(bool on) = 0;
+    /// A cursor of the program's, with the colours of its pixels' values 1 to 3.
+    virtual void show_image(const CursorImage& image, std::span<const std::uint32_t> colors) = 0;
     /// Tells what has happened; waits for up to `milliseconds` if nothing has.
     virtual void poll(const HostListener& listener, int milliseconds) = 0;
 };

@@ -107,7 +107,7 @@ namespace {
 MapEntry mapped(const ColorMap& map, unsigned index) {
     const auto blink = map.blinks.find(index);
     if (blink != map.blinks.end() && blink->second.shows_other) return blink->second.other;
-    return map.entries[index];
+    return map.entries[map.place(index)];
 }
 
 std::uint32_t with_gamma(const ColorMap& map, std::uint32_t c) {

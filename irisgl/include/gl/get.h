@@ -71,9 +71,38 @@
 #define GD_FOGPIXEL 81
 #define GD_TEXTURE_PERSP 82
 #define GD_MUXPIPES 83
+#define GD_MULTISAMPLE 84
+#define GD_TEXTURE_3D 85
+#define GD_TEXTURE_LUT 86
+#define GD_TEXTURE_SHARP 87
+#define GD_TEXTURE_DETAIL 88
+#define GD_STEREO_IN_WINDOW 89
+#define GD_BLENDCOLOR 90
+#define GD_LIGHTING_SPOTLIGHT 91
+#define GD_LIGHTING_ATT2 92
+#define GD_AFUNCTION_MODES 93
 #define GD_NOLIMIT (-2)
 #define GD_WSYS_NONE 0
 #define GD_WSYS_4S 1
 #define GD_SCRNTYPE_WM 0
 #define GD_SCRNTYPE_NOWM 1
+
+/* Inquiries of getgconfig. */
+#define GC_BITS_CMODE 0
+#define GC_BITS_RED 1
+#define GC_BITS_GREEN 2
+#define GC_BITS_BLUE 3
+#define GC_BITS_ALPHA 4
+#define GC_BITS_ZBUFFER 5
+#define GC_ZMIN 6
+#define GC_ZMAX 7
+#define GC_BITS_STENCIL 8
+#define GC_BITS_ACBUF 9
+#define GC_MS_SAMPLES 10
+#define GC_BITS_MS_ZBUFFER 11
+#define GC_MS_ZMIN 12
+#define GC_MS_ZMAX 13
+#define GC_BITS_MS_STENCIL 14
+#define GC_STEREO 15
+#define GC_DOUBLE 16
 #endif

@@ -13,6 +13,8 @@
 
 #define XMAXSCREEN 1279
 #define YMAXSCREEN 1023
+#define XMAXMEDIUM 1023
+#define YMAXMEDIUM 767
 #define XMAX170 645
 #define YMAX170 484
 #define XMAXPAL 779
@@ -44,6 +46,18 @@ typedef struct {
     signed char xoff, yoff;
     short width;
 } Fontchar;
+typedef struct {
+    unsigned int value, offset;
+    short w, h, xoff, yoff, xmove, ymove;
+} Lfontchar;
+
+/* limits and the tags that every object has */
+#define ATTRIBSTACKDEPTH 10
+#define VPSTACKDEPTH 8
+#define MATRIXSTACKDEPTH 32
+#define NAMESTACKDEPTH 1025
+#define STARTTAG (-2)
+#define ENDTAG (-3)
 
 /* colours of the default map */
 #define BLACK 0
@@ -56,13 +70,16 @@ typedef struct {
 #define WHITE 7
 
 /* drawmode */
-#define NORMALDRAW 0
-#define PUPDRAW 1
-#define OVERDRAW 2
-#define UNDERDRAW 3
-#define CURSORDRAW 4
+#define NORMALDRAW 0x010
+#define PUPDRAW 0x020
+#define OVERDRAW 0x040
+#define UNDERDRAW 0x080
+#define CURSORDRAW 0x100
 #define PUP_NONE 0
 #define PUP_GREY 1
+#define PUP_BOX 2
+#define PUP_CHECK 4
+#define PUP_CURSOR 1
 #define PUP_CLEAR 0
 #define PUP_COLOR 1
 #define PUP_BLACK 2
@@ -88,9 +105,9 @@ typedef struct {
 #define MPROJECTION 1
 #define MVIEWING 2
 #define MTEXTURE 3
-#define PYM_POINT 1
-#define PYM_LINE 2
-#define PYM_FILL 3
+#define PYM_FILL 1
+#define PYM_POINT 2
+#define PYM_LINE 3
 #define PYM_HOLLOW 4
 #define PYM_LINE_FAST 5
 
@@ -140,6 +157,12 @@ typedef struct {
 #define BF_DA 6
 #define BF_MDA 7
 #define BF_MIN_SA_MDA 8
+#define BF_CA 9
+#define BF_MCA 10
+#define BF_CC 11
+#define BF_MCC 12
+#define BF_MIN 13
+#define BF_MAX 14
 
 /* logical operations */
 #define LO_ZERO 0x0
@@ -190,6 +213,7 @@ typedef struct {
 #define PATTERN_64_SIZE 256
 
 /* pixels */
+#define SRC_NULL (-1)
 #define SRC_AUTO 0
 #define SRC_FRONT 1
 #define SRC_BACK 2
@@ -197,6 +221,7 @@ typedef struct {
 #define SRC_PUP 4
 #define SRC_OVER 5
 #define SRC_UNDER 6
+#define SRC_FRAMEGRABBER 7
 #define PM_SHIFT 0
 #define PM_EXPAND 1
 #define PM_C0 2
@@ -211,8 +236,8 @@ typedef struct {
 
 /* lighting */
 #define DEFMATERIAL 0
-#define DEFLIGHT 1
-#define DEFLMODEL 3
+#define DEFLIGHT 100
+#define DEFLMODEL 200
 #define MATERIAL 1000
 #define BACKMATERIAL 1001
 #define LIGHT0 1100
@@ -226,21 +251,22 @@ typedef struct {
 #define MAXLIGHTS 8
 #define LMODEL 1200
 #define LMNULL 0.0
-#define AMBIENT 1
-#define DIFFUSE 2
-#define SPECULAR 3
-#define EMISSION 4
+#define MAXRESTRICTIONS 4
+#define EMISSION 1
+#define AMBIENT 2
+#define DIFFUSE 3
+#define SPECULAR 4
 #define SHININESS 5
+#define COLORINDEXES 6
 #define ALPHA 7
-#define COLORINDEXES 8
-#define LCOLOR 100
-#define POSITION 101
-#define SPOTDIRECTION 102
-#define SPOTLIGHT 103
-#define LOCALVIEWER 200
-#define ATTENUATION 201
-#define ATTENUATION2 202
-#define TWOSIDE 203
+#define LCOLOR 101
+#define POSITION 102
+#define SPOTDIRECTION 103
+#define SPOTLIGHT 104
+#define LOCALVIEWER 201
+#define ATTENUATION 202
+#define ATTENUATION2 203
+#define TWOSIDE 204
 #define LMC_COLOR 0
 #define LMC_EMISSION 1
 #define LMC_AMBIENT 2
@@ -255,7 +281,18 @@ typedef struct {
 #define TX_WRAP 0x300
 #define TX_WRAP_S 0x310
 #define TX_WRAP_T 0x320
+#define TX_WRAP_R 0x330
+#define TX_BORDER 0x500
+#define TX_INTERNAL_FORMAT 0x600
+#define TX_EXTERNAL_FORMAT 0x700
+#define TX_MAGFILTER_COLOR 0xa00
+#define TX_MAGFILTER_ALPHA 0xb00
+#define TX_CONTROL_POINT 0xc00
+#define TX_CONTROL_CLAMP 0xd00
+#define TX_DETAIL 0xe00
+#define TX_FAST_DEFINE 0xf00
 #define TX_POINT 0x110
+#define TX_MIPMAP 0x120
 #define TX_BILINEAR 0x220
 #define TX_MIPMAP_POINT 0x121
 #define TX_MIPMAP_LINEAR 0x122
@@ -275,6 +312,8 @@ typedef struct {
 #define TX_NULL 0
 #define TX_S 0
 #define TX_T 1
+#define TX_R 2
+#define TX_Q 3
 #define TG_OFF 0
 #define TG_ON 1
 #define TG_CONTOUR 2
@@ -292,6 +331,45 @@ typedef struct {
 #define FG_VTX_EXP2 6
 #define FG_PIX_EXP2 7
 
+/* scrsubdivide, scrbox, nmode */
+#define SS_OFF 0
+#define SS_DEPTH 1
+#define SB_RESET 0
+#define SB_TRACK 1
+#define SB_HOLD 2
+#define NAUTO 0
+#define NNORMALIZE 1
+
+/* NURBS */
+#define N_PIXEL_TOLERANCE 1
+#define N_CULLING 2
+#define N_DISPLAY 3
+#define N_ERRORCHECKING 4
+#define N_SUBDIVISIONS 5
+#define N_S_STEPS 6
+#define N_T_STEPS 7
+#define N_TILES 8
+#define N_FILL 1.0
+#define N_OUTLINE_POLY 2.0
+#define N_OUTLINE_PATCH 5.0
+#define N_ISOLINE_S 12.0
+#define N_ST 0x08
+#define N_STW 0x0d
+#define N_XYZ 0x4c
+#define N_XYZW 0x51
+#define N_TEX 0x88
+#define N_TEXW 0x8d
+#define N_RGBA 0xd0
+#define N_RGBAW 0xd5
+#define N_P2D N_ST
+#define N_P2DR N_STW
+#define N_V3D N_XYZ
+#define N_V3DR N_XYZW
+#define N_T2D N_TEX
+#define N_T2DR N_TEXW
+#define N_C4D N_RGBA
+#define N_C4DR N_RGBAW
+
 /* clipping planes */
 #define CP_OFF 0
 #define CP_ON 1
@@ -303,6 +381,33 @@ typedef struct {
 #define GLC_MQUEUERATE 2
 #define GLC_SOFTATTACH 3
 #define GLC_MANAGEBG 4
+#define GLC_SLOWMAPCOLORS 5
+#define GLC_INPUTCHANGEBUG 6
+#define GLC_NOBORDERBUG 7
+#define GLC_SET_VSYNC 8
+#define GLC_GET_VSYNC 9
+#define GLC_VSYNC_SLEEP 10
+#define GLC_COMPATRATE 15
+#define GLC_CMPRESS 1
+#define INFOCUSSCRN (-2)
+#define STR_B 0x000
+#define STR_2B 0x001
+#define STR_3B 0x010
+#define STR_4B 0x011
+#define STR_16 0x100
+#define STR_32 0x101
+#define MSA_MASK 0
+#define MSA_MASK_ONE 1
+#define MSA_ALPHA 2
+#define MSS_POINT 0
+#define MSS_AREA 1
+#define MSP_DEFAULT 0
+#define RD_FREEZE 0x01
+#define RD_ALPHAONE 0x02
+#define RD_IGNORE_UNDERLAY 0x04
+#define RD_IGNORE_OVERLAY 0x08
+#define RD_IGNORE_PUP 0x10
+#define RD_OFFSCREEN 0x20
 #define DT_OFF 0
 #define DT_ON 1
 #define C16X1 0
@@ -328,6 +433,9 @@ extern "C" {
 #include <gl/functions.h>
 #ifndef __cplusplus
 extern double atof(); /* <math.h> of IRIX had it */
+/* An array of short, as other machines took, is filled with floats of the VGX, never beyond it. */
+#define feedback(b, n) feedback((void*)(b), sizeof *(b) == 2 ? (n) / 2 : (n))
+#define endfeedback(b) endfeedback((void*)(b))
 #endif
 #ifdef __cplusplus
 }
