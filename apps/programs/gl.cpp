@@ -2,6 +2,7 @@
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/command/terminal.h"
+#include "apps/programs/folder_beside.h"
 #include "apps/programs/program.h"
 #include "apps/programs/results.h"
 #include "gw/error.h"
@@ -89,19 +90,11 @@ Profile profile_of(const std::string& word, Session& session) {
     return profile_named(one_of("--profile", word, names));
 }
 
-/// The folder of the libraries, beside the command in the build tree or where it was installed.
-fs::path library_folder() {
-    const fs::path beside = fs::canonical("/proc/self/exe").parent_path().parent_path();
-    for (const char* folder : {"lib/opengl", GW_INSTALLED_OPENGL})
-        if (fs::exists(beside / folder / "libGL.so.1")) return beside / folder;
-    throw Error((beside / "lib/opengl/libGL.so.1").string() +
-                ": cannot be read: no such file; expected gw's libraries beside the command");
-}
-
 /// LD_LIBRARY_PATH with our libraries first.
 std::string library_path() {
     const char* const others = std::getenv("LD_LIBRARY_PATH");
-    const std::string ours = library_folder().string();
+    const std::string ours =
+        folder_beside({"lib/opengl", GW_INSTALLED_OPENGL}, "libGL.so.1").string();
     return others != nullptr && *others != '\0' ? ours + ":" + others : ours;
 }
 

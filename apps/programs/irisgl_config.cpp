@@ -1,38 +1,25 @@
 // gw irisgl-config: how a program of IRIS GL is compiled.
 #include "apps/command/command.h"
-#include "gw/error.h"
+#include "apps/programs/folder_beside.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include <filesystem>
 #include <memory>
 #include <string>
 
 namespace gw::apps {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct IrisGlOptions {
     bool cflags = false, libs = false;
 };
-
-/// A folder beside the command's, in the build tree or where it was installed.
-fs::path folder_with(std::initializer_list<const char*> folders, const char* file) {
-    const fs::path root = fs::canonical("/proc/self/exe").parent_path().parent_path();
-    for (const char* folder : folders)
-        if (fs::exists(root / folder / file)) return root / folder;
-    throw Error(
-        (root / *folders.begin() / file).string() +
-        ": cannot be read: no such file; expected gw's library of IRIS GL beside the command");
-}
 
 std::string words_of(const IrisGlOptions& options) {
     const bool all = !options.cflags && !options.libs;
     std::string words;
     if (options.cflags || all) {
-        const std::string headers = folder_with({"include/irisgl"}, "gl/gl.h").string();
+        const std::string headers = folder_beside({"include/irisgl"}, "gl/gl.h").string();
         words = fmt::format(
             "-std=gnu99 -fgnu89-inline -fcommon -w -Wno-implicit-int "
             "-Wno-implicit-function-declaration -I{} -I{}/gl",
@@ -40,7 +27,7 @@ std::string words_of(const IrisGlOptions& options) {
     }
     if (options.libs || all) {
         const std::string library =
-            folder_with({"lib/irisgl", GW_INSTALLED_IRISGL}, "libgl.so").string();
+            folder_beside({"lib/irisgl", GW_INSTALLED_IRISGL}, "libgl.so").string();
         words += fmt::format("{}-L{} -Wl,-rpath,{} -lgl -lm", words.empty() ? "" : " ", library,
                              library);
     }

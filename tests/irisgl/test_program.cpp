@@ -147,9 +147,20 @@ TEST_F(IrisGlProgram, LoopsWithoutSwapsEndWithTheLastFrame) {
     EXPECT_EXIT(runs([] { clear(); }), testing::ExitedWithCode(0), why);
     EXPECT_EXIT(runs([] { czclear(0, 0); }), testing::ExitedWithCode(0), why);
     EXPECT_EXIT(runs([] { pnt2i(3, 3); }, "0"), testing::ExitedWithCode(0), why);
-    EXPECT_EXIT(runs([] { rectfi(3, 3, 4, 4); }, "0"), testing::ExitedWithCode(0), why);
+}
+
+// 10,000 make a frame; 100,000 in double buffer mode, where a swap may follow.
+TEST_F(IrisGlProgram, PointsLinesAndPolygonsArePartsOfAFrame) {
+    const auto parts = [](const auto& draw) {
+        const unsigned before = program().events.parts;
+        draw();
+        return program().events.parts - before;
+    };
+    EXPECT_EQ(parts([] { pnt2i(3, 3); }), 10u);
+    EXPECT_EQ(parts([] { rectfi(3, 3, 4, 4); }), 10u);
     doublebuffer();
-    EXPECT_EXIT(runs([] { pnt2i(3, 3); }, "0"), testing::ExitedWithCode(0), why);
+    EXPECT_EQ(parts([] { draw2i(3, 3); }), 1u);
+    EXPECT_EQ(parts([] { circfi(3, 3, 2); }), 1u);
 }
 
 TEST_F(IrisGlProgram, AnOpenedWindowIsToBeRedrawnAndHasTheInput) {
