@@ -234,8 +234,8 @@ typedef struct {
 #define PM_RTOL 9
 #define PM_ZDATA 10
 
-#include <gl/words.h>
 #include <gl/get.h>
+#include <gl/words.h>
 
 /* The font manager. */
 typedef long fmfonthandle;
