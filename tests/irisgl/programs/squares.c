@@ -1,11 +1,12 @@
 /* Declarations as in 1990. */
 /* clang-format off */
-/* Functions without prototypes, int for long, a menu, an event that GW_INPUT makes. */
+/* Functions without prototypes, int for long, objects in int, an event that GW_INPUT makes. */
 #include <gl.h>
 #include <device.h>
 
 int corner[] = {2, 2};
 long far_corner[2] = {5, 5};
+int objects[] = {0, 77};
 
 square(a, b)
 int *a;
@@ -20,6 +21,7 @@ char **argv;
 {
     short value;
     int width, height, c[3];
+    Object *object = objects;
 
     prefsize(8, 8);
     winopen("squares");
@@ -31,6 +33,9 @@ char **argv;
     qdevice(LEFTMOUSE);
     if (qread(&value) != REDRAW || qread(&value) != INPUTCHANGE) return 2;
     if (qread(&value) != LEFTMOUSE) return 3;
+    makeobj(*object = genobj());
+    closeobj();
+    if (!isobj(objects[0]) || objects[1] != 77) return 4;
     cpack(0x0);
     clear();
     c[0] = 10;
