@@ -47,27 +47,28 @@ struct Motion {
     dvec3 translate{0}, rotate{0}, scale{1};
 };
 
-std::vector<Field> fields_of(Camera& camera) {
+template <class Visit>
+std::vector<Field> listed(const Visit& visit) {
     std::vector<Field> fields;
-    visit_camera(camera, FieldList{fields});
+    visit(FieldList{fields});
     return fields;
+}
+
+std::vector<Field> fields_of(Camera& camera) {
+    return listed([&](const FieldList& list) { visit_camera(camera, list); });
 }
 std::vector<Field> fields_of(Light& light) {
-    std::vector<Field> fields;
-    visit_light(light, FieldList{fields});
-    return fields;
+    return listed([&](const FieldList& list) { visit_light(light, list); });
 }
 std::vector<Field> fields_of(Material& material) {
-    std::vector<Field> fields;
-    visit_material(material, FieldList{fields});
-    return fields;
+    return listed([&](const FieldList& list) { visit_material(material, list); });
 }
 std::vector<Field> fields_of(Motion& motion) {
-    std::vector<Field> fields;
-    const FieldList list{fields};
-    list.place("translate", motion.translate);
-    list.place("rotate", motion.rotate);
-    list.place("scale", motion.scale);
+    std::vector<Field> fields = listed([&](const FieldList& list) {
+        list.place("translate", motion.translate);
+        list.place("rotate", motion.rotate);
+        list.place("scale", motion.scale);
+    });
     fields[1].range = {-36000, 36000};
     return fields;
 }
