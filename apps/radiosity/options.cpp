@@ -116,6 +116,9 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
             "A view instead of the camera's: the eye and the point it looks at. May be repeated; "
             "nothing is solved again")
         ->type_name("EYE/AT");
+    command.add_flag("--units", o.units,
+                     "Also each view in radiosity units, NAME_units.exr, and in false colours, "
+                     "NAME_false.png, with their scale");
     command.add_flag("--lightmaps", o.light_maps,
                      "Also the pixmaps for other programs: DIR/light_maps.gltf with its textures");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");

@@ -33,7 +33,8 @@ struct RadiosityOptions {
     std::vector<std::pair<dvec3, dvec3>> views;  ///< eye, at; none: the camera
     double exposure = 0, gamma = 1;
     bool no_ambient = false, specular = false;
-    bool light_maps = false;               ///< also writes the solution for other programs
+    bool units = false;       ///< also writes each view in radiosity units and in false colours
+    bool light_maps = false;  ///< also writes the solution for other programs
     std::vector<std::string> form_factor;  ///< two names, or none
     std::vector<Change> changes;           ///< of the solved scene
     bool anew = false;                     ///< also solves the changed scene anew

@@ -3,6 +3,7 @@
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
 #include "image/picture.h"
+#include "image/plane_pictures.h"
 #include "image/write.h"
 #include "itembuffer/render.h"
 #include "itembuffer/traced_component.h"
@@ -14,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace gw::apps {
@@ -60,6 +62,18 @@ Difference difference(const image::Picture& a, const image::Picture& b,
 
 std::filesystem::path with_ending(std::filesystem::path stem, const char* ending) {
     return stem += ending;
+}
+
+/// Of all texels, or of those only that do not emit; channels apart.
+double brightest(const radiosity::PixmapModel& model, const radiosity::DisplayedPixmaps& colors,
+                 bool emitters) {
+    double most = 0;
+    for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p)
+        for (int y = 0; y < model.pixmaps[p].height; ++y)
+            for (int x = 0; x < model.pixmaps[p].width; ++x)
+                if (emitters || model.E[model.pixmaps[p].texel(x, y)] == dvec3(0))
+                    for (int c = 0; c < 3; ++c) most = std::max(most, colors.at(p, x, y)[c]);
+    return most;
 }
 
 std::vector<bool> other_figures(const std::vector<Rgba>& a, const std::vector<Rgba>& b) {
@@ -161,14 +175,46 @@ std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const s
         stem.filename().string(), d.mean, d.largest, d.others);
 }
 
+/// Drawn so that the brightest radiosity is white: the frame buffer cuts none off.
+std::string RadiosityPictures::put_units(const radiosity::Solver& solver, const scene::View& view,
+                                         const std::filesystem::path& stem,
+                                         image::OutputSet& files) {
+    const radiosity::DisplayedPixmaps colors =
+        radiosity::displayed_pixmaps(solver.model(), solver.solution(), !options_.no_ambient);
+    const double most = brightest(solver.model(), colors, true),
+                 lit = brightest(solver.model(), colors, false), red = lit > 0 ? lit : most;
+    machine_->execute(
+        radiosity::texture_list(solver.model(), colors, view, {.scale = most > 0 ? 1 / most : 1}));
+    machine_->reset_passes();
+    const std::vector<Rgba>& drawn = machine_->planes().color;
+    const std::uint32_t white = max_of_bits(profile_.color_bits);
+    std::vector<float> radiosities;
+    std::vector<std::uint32_t> darkness;
+    for (const Rgba& color : drawn) {
+        for (int c = 0; c < 3; ++c)
+            radiosities.push_back(float(most * double(color[std::size_t(c)]) / white));
+        const double mean = (double(color[0]) + color[1] + color[2]) / 3;
+        darkness.push_back(white - std::uint32_t(std::min(double(white), mean * (most / red))));
+    }
+    image::put_values(files.add(with_ending(stem, "_units.exr")),
+                      {view.width, view.height, {"R", "G", "B"}, std::move(radiosities)});
+    image::put_picture(files.add(with_ending(stem, "_false.png")),
+                       image::depth_colors(darkness, view.width, view.height, profile_.color_bits));
+    return fmt::format(
+        "{}_false.png, radiosity: red {:.4g} and more, yellow {:.4g}, green {:.4g}, cyan {:.4g}, "
+        "blue to black 0\n",
+        stem.filename().string(), red, red * 3 / 4, red / 2, red / 4);
+}
+
 std::string RadiosityPictures::put(const radiosity::Solver& solver, const std::string& name,
                                    image::OutputSet& files) {
     std::string text;
-    for (std::size_t i = 0; i < views_.size(); ++i)
-        text += put_view(
-            solver, views_[i],
-            options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name),
-            files);
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        const std::filesystem::path stem =
+            options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name);
+        text += put_view(solver, views_[i], stem, files);
+        if (options_.units) text += put_units(solver, views_[i], stem, files);
+    }
     return text;
 }
 

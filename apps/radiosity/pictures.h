@@ -13,7 +13,8 @@ public:
 
     /// Writes DIR/NAME.png, or NAME_1.png ... for several views. With --display both, writes
     /// NAME_texture.png, NAME_strips.png and NAME_difference.png, and returns a line about their
-    /// difference for printing.
+    /// difference for printing. With --units, also writes NAME_units.exr and NAME_false.png, with a
+    /// line about their scale.
     std::string put(const radiosity::Solver& solver, const std::string& name,
                     image::OutputSet& files);
 
@@ -28,6 +29,9 @@ private:
                                       const scene::View& view);
     std::string put_view(const radiosity::Solver& solver, const scene::View& view,
                          const std::filesystem::path& stem, image::OutputSet& files);
+
+    std::string put_units(const radiosity::Solver& solver, const scene::View& view,
+                          const std::filesystem::path& stem, image::OutputSet& files);
 
     const RadiosityOptions& options_;
     scene::Scene scene_;

@@ -1,6 +1,6 @@
 // Claims of gw radiosity --lightmaps: its EXR has the bits of the solution, its PNG the same values
 // as a display shows them, and gw render draws its glTF as gw radiosity draws the solution, within a
-// bound.
+// bound. Claims of --units: views have the radiosity, unclamped, and its false colours.
 #include "apps/radiosity/light_maps.h"
 #include "radiosity/display/light_atlas.h"
 #include "radiosity/model/figures.h"
@@ -23,7 +23,7 @@ protected:
 [camera]
 eye = [0, 1, 0.9]
 at = [0, 0.9, -1]
-fov = 70
+fov = 100
 [material.wall]
 Kd = [0.7, 0.6, 0.5]
 [[object]]
@@ -53,12 +53,13 @@ pixmap = { size = [2, 2], emission = 3 }
 )");
         const Outcome outcome =
             gw({"radiosity", "box.toml", "-o", "out", "--hemicube", "32", "--size", "64x48",
-                "--shots", std::to_string(shots), "--exposure", "-0.5", "--lightmaps"});
+                "--shots", std::to_string(shots), "--exposure", "-0.5", "--lightmaps", "--units"});
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_NE(outcome.out.find("1 light map; the brightest radiosity is 3, white in PNG is "
                                    "1.414"),
                   outcome.out.npos)
             << outcome.out;
+        EXPECT_NE(outcome.out.find("picture_false.png, radiosity: red "), outcome.out.npos);
     }
 };
 
@@ -95,7 +96,7 @@ TEST_F(LightMaps, HaveTheBitsOfTheSolution) {
 /// Textures are interpolated after their values were encoded for the display, pixmaps before.
 TEST_F(LightMaps, AreDrawnAsTheSolutionIs) {
     const Outcome outcome = gw({"render", "out/light_maps.gltf", "-o", "again.png", "--renderer",
-                                "hardware", "--size", "64x48"});
+                                "hardware", "--size", "64x48", "--profile", "ideal"});
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.err, "");
     const Pixels a = read_pixels(in("out/picture.png")), b = read_pixels(in("again.png"));
@@ -108,6 +109,42 @@ TEST_F(LightMaps, AreDrawnAsTheSolutionIs) {
     }
     EXPECT_LT(sum / double(a.values.size()), 1.0 / 255);
     EXPECT_LT(most, 0.1);
+}
+
+/// The picture's frame buffer has 2^-0.5 times the radiosity, clamped. Both round to nearest.
+TEST_F(LightMaps, UnitsAreThePicturesRadiosities) {
+    const Pixels picture = read_pixels(in("out/picture.png")),
+                 units = read_pixels(in("out/picture_units.exr")),
+                 colors = read_pixels(in("out/picture_false.png"));
+    ASSERT_EQ(units.values.size(), picture.values.size());
+    ASSERT_EQ(colors.values.size(), picture.values.size());
+    float most = 0;
+    for (std::size_t i = 0; i < units.values.size(); ++i) {
+        most = std::max(most, units.values[i]);
+        EXPECT_NEAR(std::min(1.0, double(units.values[i]) * std::sqrt(0.5)),
+                    double(picture.values[i]), 4.0 / 65535);
+    }
+    EXPECT_EQ(most, 3);  // the lamp's, beyond white
+    int lamp = 0;
+    for (std::size_t i = 0; i < units.values.size(); i += 3) {
+        const float mean = (units.values[i] + units.values[i + 1] + units.values[i + 2]) / 3;
+        const std::vector<float> shown = colors.at(int(i / 3) % 64, int(i / 3) / 64);
+        if (mean == 3) {
+            EXPECT_EQ(shown, (std::vector{1.f, 0.f, 0.f}));
+            ++lamp;
+        }
+        EXPECT_EQ(shown[0] + shown[1] + shown[2] > 0, mean > 0);
+        // A ramp from red to blue: the brighter, the farther from blue.
+        const float place = shown[2] - shown[0];
+        for (std::size_t k = 0; k < i; k += 93) {
+            const float other = (units.values[k] + units.values[k + 1] + units.values[k + 2]) / 3;
+            const std::vector<float> beside = colors.at(int(k / 3) % 64, int(k / 3) / 64);
+            if (other > mean + 0.01f) {
+                EXPECT_LE(beside[2] - beside[0], place);
+            }
+        }
+    }
+    EXPECT_GT(lamp, 3);
 }
 
 TEST_F(LightMaps, AreRefusedWithoutAPicture) {
