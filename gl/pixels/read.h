@@ -3,6 +3,7 @@
 
 #include "gl/drawable/frame_log.h"
 #include "gw/base/types.h"
+#include "gw/machine.h"
 #include "gw/planes.h"
 
 #include <vector>

@@ -82,7 +82,8 @@ void listen(int milliseconds) {
         if (events().queued.contains(WINQUIT)) return happen(WINQUIT, w.id());
         std::exit(0);
     };
-    w.host()->poll(listener, milliseconds);
+    wait_for_screen(milliseconds);
+    w.host()->poll(listener);
 }
 
 /// Maps follow one another as cyclemap has said; `retraces` since the program began.

@@ -2,8 +2,7 @@
 
 #include "gl/x11/geometry.h"
 #include "gl/x11/shown_image.h"
-
-#include "irisgl/include/gl/device.h"
+#include "irisgl/window/key_devices.h"
 
 #include <X11/Xutil.h>
 #include <X11/cursorfont.h>
@@ -77,15 +76,9 @@ constexpr KeyName keys[] = {{XK_Escape, ESCKEY},
                             {XK_F10, F10KEY},
                             {XK_F11, F11KEY},
                             {XK_F12, F12KEY}};
-constexpr unsigned letters[] = {AKEY, BKEY, CKEY, DKEY, EKEY, FKEY, GKEY, HKEY, IKEY,
-                                JKEY, KKEY, LKEY, MKEY, NKEY, OKEY, PKEY, QKEY, RKEY,
-                                SKEY, TKEY, UKEY, VKEY, WKEY, XKEY, YKEY, ZKEY};
-constexpr unsigned digits[] = {ZEROKEY, ONEKEY, TWOKEY,   THREEKEY, FOURKEY,
-                               FIVEKEY, SIXKEY, SEVENKEY, EIGHTKEY, NINEKEY};
-
 unsigned device_of(KeySym symbol) {
-    if (symbol >= XK_a && symbol <= XK_z) return letters[symbol - XK_a];
-    if (symbol >= XK_0 && symbol <= XK_9) return digits[symbol - XK_0];
+    if (symbol >= XK_a && symbol <= XK_z) return letter_keys[symbol - XK_a];
+    if (symbol >= XK_0 && symbol <= XK_9) return digit_keys[symbol - XK_0];
     for (const KeyName& key : keys)
         if (key.symbol == symbol) return key.device;
     return 0;
@@ -189,11 +182,7 @@ public:
         XFreeCursor(display_, cursor);
         XFreePixmap(display_, empty);
     }
-    void poll(const HostListener& listener, int milliseconds) override {
-        if (XPending(display_) == 0 && milliseconds > 0) {
-            pollfd wait{ConnectionNumber(display_), POLLIN, 0};
-            ::poll(&wait, 1, milliseconds);
-        }
+    void poll(const HostListener& listener) override {
         while (XPending(display_) > 0) {
             XEvent event;
             XNextEvent(display_, &event);
@@ -261,6 +250,13 @@ Display* connection() {
 }
 
 }  // namespace
+
+void wait_for_screen(int milliseconds) {
+    Display* const display = connection();
+    if (milliseconds == 0 || XPending(display) > 0) return;
+    pollfd wait{ConnectionNumber(display), POLLIN, 0};
+    ::poll(&wait, 1, milliseconds);
+}
 
 std::unique_ptr<HostWindow> make_host_window(const std::string& title, int x, int y, int width,
                                              int height, bool has_border) {

@@ -33,9 +33,13 @@ public:
     virtual void show_cursor(bool on) = 0;
     /// A cursor of the program's, with the colours of its pixels' values 1 to 3.
     virtual void show_image(const CursorImage& image, std::span<const std::uint32_t> colors) = 0;
-    /// Tells what has happened; waits for up to `milliseconds` if nothing has.
-    virtual void poll(const HostListener& listener, int milliseconds) = 0;
+    /// Tells what has happened.
+    virtual void poll(const HostListener& listener) = 0;
 };
+
+/// Waits until something happens on the screen, for up to `milliseconds`. A page's browser works
+/// meanwhile, so nothing may stand between the program and this but direct calls.
+void wait_for_screen(int milliseconds);
 
 /// Null: no screen. `y` is of the lower row, from the bottom of the screen.
 std::unique_ptr<HostWindow> make_host_window(const std::string& title, int x, int y, int width,

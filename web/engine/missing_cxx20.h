@@ -91,6 +91,16 @@ void stable_sort(Range& range, Compare, Projection projection) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
 }
+template <class Range, class Compare = std::ranges::less, class Projection>
+void sort(Range& range, Compare, Projection projection) {
+    std::sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
+        return std::invoke(projection, a) < std::invoke(projection, b);
+    });
+}
+template <class Range, class Output>
+void copy(const Range& range, Output output) {
+    std::copy(std::begin(range), std::end(range), output);
+}
 template <class Range, class Output, class Predicate>
 void copy_if(const Range& range, Output output, Predicate predicate) {
     std::copy_if(std::begin(range), std::end(range), output, called(predicate));

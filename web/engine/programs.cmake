@@ -1,0 +1,60 @@
+# For programs of OpenGL and IRIS GL in C: lib/libOSMesa.a and lib/libgl.a, which
+# scripts/browser-program links. Target: programs.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(made ${PROJECT_BINARY_DIR}/generated)
+set(gl_made ${made}/gl)
+set(irisgl_made ${made}/irisgl)
+# made_doors(API OUTPUT TABLE...): its sources and headers, from its tables of functions.
+function(made_doors api output)
+    set(folder ${root}/${api}/entry)
+    list(TRANSFORM output PREPEND ${made}/${api}/)
+    list(TRANSFORM ARGN PREPEND ${folder}/)
+    file(MAKE_DIRECTORY ${made}/${api}/include/gl)
+    add_custom_command(OUTPUT ${output}
+        COMMAND ${Python3_EXECUTABLE} ${folder}/generate.py ${ARGN} ${made}/${api}
+        DEPENDS ${folder}/generate.py ${ARGN} VERBATIM)
+    add_custom_target(made_${api} DEPENDS ${output})
+endfunction()
+made_doors(gl "entry_points.cpp;linked.cpp" functions.txt linked.txt)
+made_doors(irisgl entry_points.cpp functions.txt)
+
+# One library, no processes, no windows of X11.
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/gl/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/gl/(egl|glx|x11|osmesa|record|entry)/|/other_library.cpp$")
+list(APPEND sources ${PROJECT_SOURCE_DIR}/programs/one_library.cpp)
+file(GLOB entry CONFIGURE_DEPENDS ${root}/gl/entry/*.cpp)
+file(GLOB record CONFIGURE_DEPENDS ${root}/gl/record/*.cpp)
+engine_objects(gw::gl gl ${sources} ${record})
+engine_objects(gw::gl_entry gl_entry ${entry} ${gl_made}/entry_points.cpp ${gl_made}/linked.cpp)
+engine_objects(gw::osmesa osmesa ${root}/gl/osmesa/osmesa.cpp)
+set_target_properties(engine_gl_entry PROPERTIES UNITY_BUILD OFF)
+
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/irisgl/*.cpp)
+list(FILTER sources EXCLUDE REGEX "/irisgl/(door/|window/host_window.cpp)")
+set(alone ${root}/irisgl/calls/menus.cpp ${irisgl_made}/entry_points.cpp)
+set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+# Its functions catch what their calls throw, by irisgl/calls/run.h.
+set_source_files_properties(${irisgl_made}/entry_points.cpp PROPERTIES
+    COMPILE_OPTIONS -fexceptions)
+engine_objects(gw::irisgl irisgl ${sources} ${irisgl_made}/entry_points.cpp
+    ${PROJECT_SOURCE_DIR}/programs/browser_window.cpp)
+
+set(doors gl gl_entry osmesa irisgl)
+foreach(door IN LISTS doors)
+    target_include_directories(engine_${door} PRIVATE ${PROJECT_BINARY_DIR})
+    target_include_directories(engine_${door} SYSTEM PRIVATE ${GW_HEADERS}/opengl ${made})
+    target_compile_definitions(engine_${door} PRIVATE GL_GLEXT_PROTOTYPES)
+    set_target_properties(engine_${door} PROPERTIES EXCLUDE_FROM_ALL ON)
+    add_dependencies(engine_${door} made_gl made_irisgl)
+endforeach()
+target_include_directories(engine_irisgl PRIVATE ${irisgl_made} ${irisgl_made}/include
+    ${root}/irisgl/include)
+
+set(common gw gl gl_entry inspect)
+list(TRANSFORM common REPLACE "(.+)" "$<TARGET_OBJECTS:engine_\\1>")
+add_library(OSMesa STATIC EXCLUDE_FROM_ALL ${common} $<TARGET_OBJECTS:engine_osmesa>)
+add_library(irisgl_library STATIC EXCLUDE_FROM_ALL ${common} $<TARGET_OBJECTS:engine_irisgl>)
+set_target_properties(irisgl_library PROPERTIES OUTPUT_NAME gl)
+set_target_properties(OSMesa irisgl_library PROPERTIES
+    ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+add_custom_target(programs DEPENDS OSMesa irisgl_library)
