@@ -21,7 +21,6 @@ made_doors(irisgl entry_points.cpp functions.txt)
 # One library, no processes, no windows of X11.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/gl/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/gl/(egl|glx|x11|osmesa|record|entry)/|/other_library.cpp$")
-list(APPEND sources ${PROJECT_SOURCE_DIR}/programs/one_library.cpp)
 file(GLOB entry CONFIGURE_DEPENDS ${root}/gl/entry/*.cpp)
 file(GLOB record CONFIGURE_DEPENDS ${root}/gl/record/*.cpp)
 engine_objects(gw::gl gl ${sources} ${record})
@@ -36,8 +35,7 @@ set_source_files_properties(${alone} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 # Its functions catch what their calls throw, by irisgl/calls/run.h.
 set_source_files_properties(${irisgl_made}/entry_points.cpp PROPERTIES
     COMPILE_OPTIONS -fexceptions)
-engine_objects(gw::irisgl irisgl ${sources} ${irisgl_made}/entry_points.cpp
-    ${PROJECT_SOURCE_DIR}/programs/browser_window.cpp)
+engine_objects(gw::irisgl irisgl ${sources} ${irisgl_made}/entry_points.cpp)
 
 set(doors gl gl_entry osmesa irisgl)
 foreach(door IN LISTS doors)

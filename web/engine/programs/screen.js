@@ -1,8 +1,13 @@
 // The screen of a program: windows as canvases, what the user does in them, and what the program
 // leaves behind. browser_window.cpp calls Module.screen.
 (() => {
-  const Key = 1, Button = 2, Pointer = 3, Focus = 4, Close = 5; // browser_window.cpp
-  const frameTime = 12, hiddenFrameTime = 250; // milliseconds
+  const Key = 1,
+    Button = 2,
+    Pointer = 3,
+    Focus = 4,
+    Close = 5; // browser_window.cpp
+  const frameTime = 12,
+    hiddenFrameTime = 250; // milliseconds
   const place = document.querySelector('#windows');
   const said = document.querySelector('#said');
   const state = document.querySelector('#state');
@@ -12,7 +17,13 @@
   let lastTurn = 0;
   let wake = () => {};
 
-  const characters = { Enter: 13, Backspace: 8, Escape: 27, Tab: 9, Delete: 127 };
+  const characters = {
+    Enter: 13,
+    Backspace: 8,
+    Escape: 27,
+    Tab: 9,
+    Delete: 127,
+  };
   const character = (event) =>
     event.key.length === 1 ? event.key.charCodeAt(0) & 255 : (characters[event.key] ?? 0);
 
@@ -109,7 +120,10 @@
     cursorImage(id, pixels, size, x, y) {
       const { style } = windows.get(id).canvas;
       if (size === 0) return (style.cursor = 'crosshair');
-      const canvas = Object.assign(document.createElement('canvas'), { width: size, height: size });
+      const canvas = Object.assign(document.createElement('canvas'), {
+        width: size,
+        height: size,
+      });
       paint(canvas, pixels);
       style.cursor = `url(${canvas.toDataURL()}) ${x} ${size - 1 - y}, auto`;
     },
@@ -155,7 +169,10 @@
     );
     if (!head) return undefined;
     const [width, height] = [Number(head[1]), Number(head[2])];
-    const canvas = Object.assign(document.createElement('canvas'), { width, height });
+    const canvas = Object.assign(document.createElement('canvas'), {
+      width,
+      height,
+    });
     const image = new ImageData(width, height);
     const rgb = bytes.subarray(head[0].length);
     for (let i = 0; i < width * height; ++i)

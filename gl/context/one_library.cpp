@@ -1,4 +1,5 @@
-// A program in the browser is one module: there is no other library that could have a context.
+// A program in the browser is one module: no other library could have a context. Compiled by
+// Emscripten alone.
 #include "gl/context/current.h"
 
 namespace gw::gl {

@@ -1,4 +1,5 @@
-// Windows of IRIS GL on a page: canvases that screen.js opens, and the events that it has kept.
+// Windows on a page: canvases that web/engine/programs/screen.js opens, and the events that it has
+// kept. Compiled by Emscripten alone.
 #include "irisgl/window/host_window.h"
 #include "irisgl/window/key_devices.h"
 

@@ -1,0 +1,131 @@
+// Programs in C on pages of their own: the bits of this computer's library; keys, mouse, menus.
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect, it } from 'vitest';
+import { inChromium, thePage } from './page';
+
+const pages = process.env['GW_PROGRAMS'] ?? '../build/lab/programs';
+const gw = process.env['GW'] ?? '../build/release/bin/gw';
+const examples = process.env['GW_EXAMPLES'] ?? '../examples/irisgl';
+
+inChromium();
+
+const show = (name: string, variables = '') =>
+  thePage().goto(`file://${pages}/${name}.html${variables}`);
+const end = () => thePage().waitForSelector('body[data-status="0"]');
+
+/** The picture of the last frame, as the library writes it. */
+function pictureHere(name: string, frames: string): Buffer {
+  const folder = mkdtempSync(join(tmpdir(), 'programs-'));
+  const options = (which: string) =>
+    execFileSync(gw, ['irisgl-config', which]).toString().trim().split(' ');
+  const program = join(folder, name);
+  execFileSync('cc', [
+    ...options('--cflags'),
+    join(examples, `${name}.c`),
+    ...options('--libs'),
+    '-lm',
+    '-o',
+    program,
+  ]);
+  const picture = join(folder, 'picture.ppm');
+  const { DISPLAY: _, ...environment } = process.env;
+  execFileSync(program, {
+    env: { ...environment, GW_FRAMES: frames, GW_SCREENSHOT: picture },
+  });
+  return readFileSync(picture);
+}
+
+it.each(['hidden', 'flight'])('draws %s with the bits of the library', async (name) => {
+  const frames = '0-3';
+  await show(name, `?GW_FRAMES=${frames}&GW_SCREENSHOT=picture.ppm`);
+  await end();
+  const bytes = await thePage().evaluate(() =>
+    Array.from(
+      (window as unknown as { FS: { readFile(name: string): Uint8Array } }).FS.readFile(
+        'picture.ppm',
+      ),
+    ),
+  );
+  expect(Buffer.from(bytes).equals(pictureHere(name, frames))).toBe(true);
+});
+
+/** The words below the things. */
+const label = () =>
+  thePage().$eval('canvas', (canvas) =>
+    (canvas as HTMLCanvasElement).getContext('2d')!.getImageData(0, 420, 200, 30).data.join(),
+  );
+const waitForLabel = (differsFrom: string) =>
+  thePage().waitForFunction(
+    (old) =>
+      document
+        .querySelector('canvas')!
+        .getContext('2d')!
+        .getImageData(0, 420, 200, 30)
+        .data.join() !== old,
+    {},
+    differsFrom,
+  );
+
+it('takes keys', async () => {
+  await show('hidden');
+  await thePage().waitForSelector('canvas');
+  await waitForLabel(await label()); // nothing is drawn yet
+  const byDepth = await label();
+  await thePage().keyboard.press('2');
+  await waitForLabel(byDepth);
+  const byOrder = await label();
+  await thePage().keyboard.press('1');
+  await waitForLabel(byOrder);
+  expect(await label()).toBe(byDepth);
+  await thePage().keyboard.press('Escape');
+  await end();
+});
+
+it('shows a menu while its button is down, and does what it says', async () => {
+  await show('hidden');
+  await thePage().waitForSelector('canvas');
+  const box = (await (await thePage().$('canvas'))!.boundingBox())!;
+  await thePage().mouse.move(box.x + 200, box.y + 100);
+  await thePage().mouse.down({ button: 'right' });
+  const lastRow = () =>
+    thePage().waitForFunction(() => {
+      const canvas = document.querySelector('canvas')!;
+      const { data, width, height } = canvas.getContext('2d')!.getImageData(0, 0, 480, 480);
+      for (let y = height - 1; y >= 0; --y) {
+        let grey = 0;
+        let at = 0;
+        for (let x = 0; x < width; ++x) {
+          const i = 4 * (y * width + x);
+          if (data[i] === 170 && data[i + 1] === 170 && data[i + 2] === 170)
+            [grey, at] = [grey + 1, x];
+        }
+        if (grey > 40) return { x: at - 20, y: y - 6 };
+      }
+      return undefined;
+    });
+  const quit = (await (await lastRow()).jsonValue())!;
+  await thePage().mouse.move(box.x + quit.x, box.y + quit.y);
+  await thePage().mouse.up({ button: 'right' });
+  await end();
+});
+
+it('ends when its window is closed', async () => {
+  await show('flight');
+  await thePage().waitForSelector('figcaption button');
+  await thePage().click('figcaption button');
+  await end();
+});
+
+it('shows the pictures that a program of OSMesa writes', async () => {
+  await show('osmesa');
+  await end();
+  const [width, pixel] = await thePage().$eval('figure canvas', (element) => {
+    const canvas = element as HTMLCanvasElement;
+    return [canvas.width, [...canvas.getContext('2d')!.getImageData(16, 16, 1, 1).data]] as const;
+  });
+  expect(width).toBe(32);
+  expect(pixel).toEqual([255, 128, 0, 255]);
+});
