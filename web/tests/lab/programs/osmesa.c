@@ -15,7 +15,7 @@ int main(void) {
     glVertex2f(0, 0.9f);
     glEnd();
     glFinish();
-    FILE *file = fopen("triangle.ppm", "wb");
+    FILE* file = fopen("triangle.ppm", "wb");
     fprintf(file, "P6\n32 32\n255\n");
     for (int i = 0; i < 32 * 32; i++) fwrite(pixels + 4 * i, 3, 1, file);
     fclose(file);
