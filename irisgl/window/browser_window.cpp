@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-// clang-format off: JavaScript
+// JavaScript. Has no operators that C++ lacks, for clang-format.
 EM_JS(int, gw_open_window, (const char* title, int x, int y, int width, int height),
       { return Module.screen.open(UTF8ToString(title), x, y, width, height); });
 EM_JS(void, gw_close_window, (int id), { Module.screen.close(id); });
@@ -19,7 +19,7 @@ EM_JS(void, gw_show_pixels, (int id, const void* pixels, int width, int height),
 });
 EM_JS(void, gw_name_window, (int id, const char* title),
       { Module.screen.name(id, UTF8ToString(title)); });
-EM_JS(void, gw_show_cursor, (int id, int on), { Module.screen.cursor(id, on != = 0); });
+EM_JS(void, gw_show_cursor, (int id, int on), { Module.screen.cursor(id, Boolean(on)); });
 EM_JS(void, gw_show_cursor_image, (int id, const void* pixels, int size, int x, int y), {
     Module.screen.cursorImage(id, HEAPU8.slice(pixels, pixels + 4 * size * size), size, x, y);
 });
@@ -35,7 +35,6 @@ EM_JS(int, gw_next_event, (int id, char* code, int size, int* values), {
     HEAP32.set(event.values, values >> 2);
     return event.kind;
 });
-// clang-format on
 
 namespace gw::irisgl {
 

@@ -197,6 +197,11 @@
     }
   }
 
+  // exit() after a turn of the browser ends in a promise that nobody waits for.
+  addEventListener('unhandledrejection', (event) => {
+    if (event.reason?.name === 'ExitStatus') event.preventDefault();
+  });
+
   const say = (text) => {
     said.textContent += `${text}\n`;
     said.scrollTop = said.scrollHeight;
