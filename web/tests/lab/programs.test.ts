@@ -31,10 +31,9 @@ function pictureHere(name: string, frames: string): Buffer {
     program,
   ]);
   const picture = join(folder, 'picture.ppm');
-  const { DISPLAY: _, ...environment } = process.env;
-  execFileSync(program, {
-    env: { ...environment, GW_FRAMES: frames, GW_SCREENSHOT: picture },
-  });
+  const environment = { ...process.env, GW_FRAMES: frames, GW_SCREENSHOT: picture };
+  delete environment['DISPLAY'];
+  execFileSync(program, { env: environment });
   return readFileSync(picture);
 }
 
