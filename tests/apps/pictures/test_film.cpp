@@ -85,7 +85,7 @@ TEST_F(FilmCommand, RefusesWhatIsNoFilm) {
             "--film with --turntable");
     refused({"film.toml", "-o", "a.png", "--film", "1", "--shutter", "2"}, 2, "--shutter");
     refused({"film.toml", "-o", "a.png", "--film", "1", "--manifest", "m.json"}, 2,
-            "--film cannot");
+            "--film and --part cannot go with");
 }
 
 }  // namespace gw::apps
