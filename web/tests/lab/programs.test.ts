@@ -31,7 +31,11 @@ function pictureHere(name: string, frames: string): Buffer {
     program,
   ]);
   const picture = join(folder, 'picture.ppm');
-  const environment: NodeJS.ProcessEnv = { ...process.env, GW_FRAMES: frames, GW_SCREENSHOT: picture };
+  const environment: NodeJS.ProcessEnv = {
+    ...process.env,
+    GW_FRAMES: frames,
+    GW_SCREENSHOT: picture,
+  };
   delete environment['DISPLAY'];
   execFileSync(program, { env: environment });
   return readFileSync(picture);
