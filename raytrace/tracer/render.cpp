@@ -122,7 +122,7 @@ RayCounts for_pixels(const scene::View& view, int threads,
     const int columns = (view.width + side - 1) / side, rows = (end - first + side - 1) / side;
     std::vector<RayCounts> squares(std::size_t(columns) * std::size_t(rows));
     const CancelFlag cancel = cancel_flag();
-    parallel_for(squares.size(), threads, [&](std::size_t i, int) {
+    parallel_for(squares.size(), threads, [&, first = first, end = end](std::size_t i, int) {
         end_if_canceled(cancel);
         const int x0 = int(i) % columns * side, y0 = first + int(i) / columns * side;
         for (int y = y0; y < std::min(y0 + side, end); ++y)
