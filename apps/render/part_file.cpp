@@ -1,8 +1,10 @@
 #include "apps/render/part_file.h"
 
 #include "apps/command/command.h"
+#include "apps/command/option_values.h"
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
+#include "gw/machine.h"
 #include "inspect/recording/content.h"
 #include "inspect/text/plural.h"
 
