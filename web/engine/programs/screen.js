@@ -211,6 +211,7 @@
     screen,
     print: say,
     printErr: say,
+    thisProgram: decodeURIComponent(location.pathname.split('/').at(-1)).replace(/\.html$/, ''),
     arguments: asked.getAll('arg'),
     preRun: [
       () => {
