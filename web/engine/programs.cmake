@@ -45,6 +45,8 @@ foreach(door IN LISTS doors)
     set_target_properties(engine_${door} PROPERTIES EXCLUDE_FROM_ALL ON)
     add_dependencies(engine_${door} made_gl made_irisgl)
 endforeach()
+# Recorded calls have no place in the program: WebAssembly has no addresses of code.
+target_compile_options(engine_gl_entry PRIVATE "-D__builtin_return_address(level)=nullptr")
 target_include_directories(engine_irisgl PRIVATE ${irisgl_made} ${irisgl_made}/include
     ${root}/irisgl/include)
 

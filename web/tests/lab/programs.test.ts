@@ -1,6 +1,6 @@
 // Programs in C on pages of their own: the bits of this computer's library; keys, mouse, menus.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
@@ -15,6 +15,18 @@ inChromium();
 const show = (name: string, variables = '') =>
   thePage().goto(`file://${pages}/${name}.html${variables}`);
 const end = () => thePage().waitForSelector('body[data-status="0"]');
+
+/** What the program on the page wrote. */
+const fileOfPage = async (name: string) =>
+  Buffer.from(
+    await thePage().evaluate(
+      (name) =>
+        Array.from(
+          (window as unknown as { FS: { readFile(name: string): Uint8Array } }).FS.readFile(name),
+        ),
+      name,
+    ),
+  );
 
 /** The picture of the last frame, as the library writes it. */
 function pictureHere(name: string, frames: string): Buffer {
@@ -45,14 +57,17 @@ it.each(['hidden', 'flight'])('draws %s with the bits of the library', async (na
   const frames = '0-3';
   await show(name, `?GW_FRAMES=${frames}&GW_SCREENSHOT=picture.ppm`);
   await end();
-  const bytes = await thePage().evaluate(() =>
-    Array.from(
-      (window as unknown as { FS: { readFile(name: string): Uint8Array } }).FS.readFile(
-        'picture.ppm',
-      ),
-    ),
-  );
-  expect(Buffer.from(bytes).equals(pictureHere(name, frames))).toBe(true);
+  const bytes = await fileOfPage('picture.ppm');
+  expect(bytes.equals(pictureHere(name, frames))).toBe(true);
+});
+
+it('leaves a recording that the command reads', async () => {
+  await show('hidden', '?GW_FRAMES=0-1&GW_RECORD=hidden.gwt');
+  await end();
+  const bytes = await fileOfPage('hidden.gwt');
+  const recording = join(mkdtempSync(join(tmpdir(), 'programs-')), 'hidden.gwt');
+  writeFileSync(recording, bytes);
+  expect(execFileSync(gw, ['replay', recording]).toString()).toContain('480 x 480 pixels');
 });
 
 /** Waits for other words below the things than these; returns them. */
