@@ -49,7 +49,6 @@ struct KeyCode {
     unsigned device;
 };
 constexpr KeyCode key_codes[] = {{"Escape", ESCKEY},
-                                 {"Tab", TABKEY},
                                  {"Enter", RETKEY},
                                  {"Backspace", BACKSPACEKEY},
                                  {"Delete", DELKEY},

@@ -21,7 +21,6 @@
     Enter: 13,
     Backspace: 8,
     Escape: 27,
-    Tab: 9,
     Delete: 127,
   };
   const character = (event) =>
