@@ -1,6 +1,7 @@
 #include "apps/radiosity/files.h"
 
 #include "gw/error.h"
+#include "gw/escape_controls.h"
 #include "image/layers.h"
 #include "image/plot/plot.h"
 #include "radiosity/solver/saved.h"
@@ -69,31 +70,86 @@ void put_solution(image::OutputSet& files, const std::filesystem::path& file,
     image::put_layers(files.add(file), layers_of(radiosity::save(model, options, solution)));
 }
 
-radiosity::Solution load_solution(const std::filesystem::path& file,
-                                  const radiosity::PixmapModel& model,
-                                  const radiosity::FormFactorOptions& options) {
+namespace {
+
+radiosity::Saved read_saved(const std::filesystem::path& file, const radiosity::PixmapModel& model,
+                            const radiosity::FormFactorOptions& options, const char* kind) {
     // A pipe may never end.
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored))
         throw Error(file.string(), 0, "is not a regular file; expected one that --save wrote");
     // A file of another scene is reported before damaged values.
-    radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options,
-                           file.string());
+    radiosity::check_saved({image::read_layer_facts(file).facts, {}}, model, options, file.string(),
+                           kind);
     radiosity::Saved saved;
     image::Layers layers = image::read_layers(file);
     saved.facts = std::move(layers.facts);
     for (image::Layer& layer : layers.layers)
         saved.pixmaps.push_back({layer.name, layer.width, layer.height, std::move(layer.values)});
-    return radiosity::load(saved, model, options, file.string());
+    return saved;
 }
 
-Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes) {
-    const radiosity::Books b = radiosity::books(solver.model(), solver.solution());
+std::filesystem::path share_file(const std::filesystem::path& folder, std::size_t number) {
+    return folder / fmt::format("share_{}.exr", number + 1);
+}
+
+}  // namespace
+
+radiosity::Solution load_solution(const std::filesystem::path& file,
+                                  const radiosity::PixmapModel& model,
+                                  const radiosity::FormFactorOptions& options) {
+    return radiosity::load(read_saved(file, model, options, radiosity::whole_kind), model, options,
+                           file.string());
+}
+
+void put_shares(image::OutputSet& files, const std::filesystem::path& folder,
+                const radiosity::PixmapModel& model, const radiosity::FormFactorOptions& options,
+                const std::vector<radiosity::Share>& shares) {
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        image::put_layers(
+            files.add(share_file(folder, i)),
+            layers_of(radiosity::save_share(model, options, shares[i], i + 1, shares.size())));
+}
+
+std::string text_of(const std::vector<radiosity::Share>& shares,
+                    const radiosity::PixmapModel& model) {
+    const auto emitted = [&](const std::vector<dvec3>& E) {
+        double sum = 0;
+        for (std::size_t t = 0; t < E.size(); ++t)
+            sum += model.area[t] * (E[t].x + E[t].y + E[t].z);
+        return sum;
+    };
+    std::string text;
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        text += fmt::format("share_{}.exr: {}, {:.1f} % of the emitted energy\n", i + 1,
+                            escape_controls(shares[i].lamp),
+                            100 * emitted(shares[i].E) / emitted(model.E));
+    return text;
+}
+
+std::vector<radiosity::Share> load_shares(const std::filesystem::path& folder,
+                                          const radiosity::PixmapModel& model,
+                                          const radiosity::FormFactorOptions& options) {
+    std::vector<radiosity::Share> shares;
+    std::vector<std::string> names;
+    for (const std::string& lamp : radiosity::lamps_of(model)) {
+        const std::filesystem::path file = share_file(folder, shares.size());
+        const radiosity::Saved saved = read_saved(file, model, options, radiosity::share_kind);
+        names.push_back(file.string());
+        shares.push_back(radiosity::load_share(saved, model, options, lamp, names.back()));
+    }
+    if (!shares.empty()) radiosity::check_same_shots(shares, names, shares.front().solution.shots);
+    return shares;
+}
+
+Step step_of(const radiosity::PixmapModel& model, const radiosity::Solution& solution,
+             double seconds, int hemicubes) {
+    const radiosity::Books b = radiosity::books(model, solution);
     const auto share = [&](const dvec3& v) {
         return ((v.x + v.y) + v.z) / ((b.emitted.x + b.emitted.y) + b.emitted.z);
     };
-    return {solver.solution().shots, seconds,       b.unshot_share(), share(b.absorbed),
-            share(b.escaped),        b.imbalance(), hemicubes};
+    return {solution.shots,   seconds,       b.unshot_share(), share(b.absorbed),
+            share(b.escaped), b.imbalance(), hemicubes};
 }
 
 std::vector<Step> resumed_curve(const std::filesystem::path& folder, const Step& now) {

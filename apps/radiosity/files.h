@@ -4,8 +4,8 @@
 
 #include "image/output/output_set.h"
 #include "radiosity/hemicube/form_factors.h"
+#include "radiosity/solver/shares.h"
 #include "radiosity/solver/solution.h"
-#include "radiosity/solver/solver.h"
 
 #include <filesystem>
 #include <string>
@@ -22,6 +22,20 @@ radiosity::Solution load_solution(const std::filesystem::path& file,
                                   const radiosity::PixmapModel& model,
                                   const radiosity::FormFactorOptions& options);
 
+/// Writes DIR/share_1.exr ... of the solver's parts.
+void put_shares(image::OutputSet& files, const std::filesystem::path& folder,
+                const radiosity::PixmapModel& model, const radiosity::FormFactorOptions& options,
+                const std::vector<radiosity::Share>& shares);
+
+/// A line for each lamp: its file, and its part of the emitted energy.
+std::string text_of(const std::vector<radiosity::Share>& shares,
+                    const radiosity::PixmapModel& model);
+
+/// All shares of a folder. Throws Error as load_solution does, and if their shots differ.
+std::vector<radiosity::Share> load_shares(const std::filesystem::path& folder,
+                                          const radiosity::PixmapModel& model,
+                                          const radiosity::FormFactorOptions& options);
+
 /// The state after a shot. Shares are of the emitted energy.
 struct Step {
     std::uint64_t shots = 0;
@@ -29,7 +43,8 @@ struct Step {
     int hemicubes = 0;
 };
 
-Step step_of(const radiosity::Solver& solver, double seconds, int hemicubes);
+Step step_of(const radiosity::PixmapModel& model, const radiosity::Solution& solution,
+             double seconds, int hemicubes);
 
 /// The curve of `folder`'s convergence.csv up to the state `now`, of a solution that is continued;
 /// `now` alone if no file there has that state.

@@ -37,13 +37,28 @@ scene::WrittenMesh written(const radiosity::AtlasMesh& mesh, const scene::Scene&
             .texcoord_1 = mesh.st};
 }
 
+void put_page(const RadiosityOptions& options, const radiosity::AtlasPage& page,
+              std::vector<float> values, const std::string& name, image::OutputSet& files) {
+    image::put_values(files.add(options.output / (name + ".exr")),
+                      {page.width, page.height, {"R", "G", "B"}, std::move(values)});
+}
+
 }  // namespace
 
+void put_light_map_values(const RadiosityOptions& options, const Solved& solved,
+                          const std::string& prefix, image::OutputSet& files) {
+    const radiosity::DisplayedPixmaps colors = displayed(solved, options);
+    const radiosity::LightAtlas atlas = radiosity::make_atlas(solved.model);
+    for (std::size_t i = 0; i < atlas.pages.size(); ++i)
+        put_page(options, atlas.pages[i], radiosity::page_colors(atlas, i, solved.model, colors),
+                 fmt::format("{}light_map_{}", prefix, i + 1), files);
+}
+
 std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& scene,
-                           const radiosity::Solver& solver, image::OutputSet& files) {
-    const radiosity::PixmapModel& model = solver.model();
-    const radiosity::DisplayedPixmaps colors =
-        radiosity::displayed_pixmaps(model, solver.solution(), !options.no_ambient);
+                           const Solved& solved, const std::string& prefix,
+                           image::OutputSet& files) {
+    const radiosity::PixmapModel& model = solved.model;
+    const radiosity::DisplayedPixmaps colors = displayed(solved, options);
     const radiosity::LightAtlas atlas = radiosity::make_atlas(model);
     const double scale = pow(2, options.exposure);
     const Size size = options.picture.size;
@@ -54,17 +69,16 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
         const radiosity::AtlasPage& page = atlas.pages[i];
         std::vector<float> values = radiosity::page_colors(atlas, i, model, colors);
         for (const float v : values) brightest = std::max(brightest, double(v));
-        const std::string name = fmt::format("light_map_{}", i + 1);
+        const std::string name = fmt::format("{}light_map_{}", prefix, i + 1);
         out.pictures.push_back({name + ".png", name + ".exr", scale});
         image::put_picture(files.add(options.output / (name + ".png")), shown(page, values, scale));
-        image::put_values(files.add(options.output / (name + ".exr")),
-                          {page.width, page.height, {"R", "G", "B"}, std::move(values)});
+        put_page(options, page, std::move(values), name, files);
     }
     for (const radiosity::AtlasMesh& mesh : radiosity::atlas_meshes(atlas, scene, model))
         out.meshes.push_back(written(mesh, scene));
-    const scene::GltfText text = scene::write_gltf(out, "light_maps.bin");
-    files.add(options.output / "light_maps.gltf").write_text(text.json);
-    files.add(options.output / "light_maps.bin").write_text(text.bytes);
+    const scene::GltfText text = scene::write_gltf(out, prefix + "light_maps.bin");
+    files.add(options.output / (prefix + "light_maps.gltf")).write_text(text.json);
+    files.add(options.output / (prefix + "light_maps.bin")).write_text(text.bytes);
     return fmt::format(
         "{}; the brightest radiosity is {:.4g}, white in PNG is {:.4g}\n",
         inspect::plural(std::uint64_t(atlas.pages.size()), "light map", "light maps"), brightest,

@@ -2,15 +2,19 @@
 // radiosities as EXR, and as PNG that shows them. Does not solve.
 #pragma once
 
-#include "apps/radiosity/options.h"
+#include "apps/radiosity/pictures.h"
 #include "image/output/output_set.h"
-#include "radiosity/solver/solver.h"
 
 namespace gw::apps {
 
-/// Writes light_maps.gltf, light_maps.bin, light_map_1.exr, light_map_1.png ... into DIR. Returns a
-/// line for printing. `scene` is the one that the solver's model was made of.
+/// Writes light_maps.gltf, light_maps.bin, light_map_1.exr, light_map_1.png ... into DIR; `prefix`
+/// begins every name. Returns a line for printing. `scene` is the one that the model was made of.
 std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& scene,
-                           const radiosity::Solver& solver, image::OutputSet& files);
+                           const Solved& solved, const std::string& prefix,
+                           image::OutputSet& files);
+
+/// Writes the EXR files alone, on the same pages: PREFIXlight_map_1.exr ...
+void put_light_map_values(const RadiosityOptions& options, const Solved& solved,
+                          const std::string& prefix, image::OutputSet& files);
 
 }  // namespace gw::apps

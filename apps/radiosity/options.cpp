@@ -91,6 +91,17 @@ void add_questions(CLI::App& command, RadiosityOptions& o) {
         ->type_name("NAME:WHAT=VALUE");
     command.add_flag("--anew", o.anew,
                      "With --change: also solve the changed scene anew, to compare");
+    command.add_flag("--shares", o.shares,
+                     "Also keep the light of each lamp apart, in DIR/share_1.exr ..., for --mix");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--mix",
+            [&o](const std::vector<std::string>& words) {
+                for (const std::string& word : words) o.mix.push_back(strength_from(word));
+            },
+            "Solve nothing: show the shares of DIR, this lamp F or R,G,B times as strong, others as "
+            "they are. May be repeated; the picture is DIR/mixed.png")
+        ->type_name("LAMP=F");
     command
         .add_option("--form-factor", o.form_factor,
                     "Only print the form factors between two figures")
@@ -134,6 +145,21 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
 constexpr const char* expected =
     "expected NAME:emission=R,G,B, NAME:dim=FACTOR, NAME:Kd=R,G,B or NAME:move=X,Y,Z";
 
+/// --mix only reads shares.
+void check_mix(const RadiosityOptions& o) {
+    if (o.mix.empty()) return;
+    if (o.shares || o.save || o.resume || o.record || o.anew || o.every > 0 || o.shots >= 0 ||
+        !o.changes.empty() || !o.form_factor.empty())
+        throw UsageError(
+            "--mix solves nothing; expected it without --shares, --save, --resume, --record, "
+            "--shots, --every, --change and --form-factor");
+    for (std::size_t i = 0; i < o.mix.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (o.mix[i].lamp == o.mix[k].lamp)
+                throw UsageError("--mix: '" + o.mix[i].lamp +
+                                 "' has two factors; expected one for each lamp");
+}
+
 void check_range(const std::string& word, const dvec3& v, double high) {
     for (int c = 0; c < 3; ++c)
         if (!(v[c] >= 0 && v[c] <= high))
@@ -170,6 +196,11 @@ void check(const RadiosityOptions& options) {
         throw UsageError(
             "--form-factor computes no picture; expected it without --output, --save, "
             "--resume, --record and --lightmaps");
+    if (options.shares && !options.changes.empty())
+        throw UsageError("--change does not keep shares; expected --shares without it");
+    if (options.shares && !options.form_factor.empty())
+        throw UsageError("--form-factor solves nothing; expected it without --shares");
+    check_mix(options);
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)
@@ -182,6 +213,22 @@ void check(const RadiosityOptions& options) {
     const bool own_camera = options.picture.camera.eye || options.picture.camera.at;
     if (own_camera && !options.views.empty())
         throw UsageError("--view cannot go with --eye or --at; expected one of them");
+}
+
+Strength strength_from(const std::string& word) {
+    const std::size_t equals = word.rfind('=');
+    if (equals == word.npos || equals == 0)
+        throw UsageError("--mix '" + word + "': expected LAMP=FACTOR or LAMP=R,G,B");
+    const std::string value = word.substr(equals + 1), name = "--mix " + word.substr(0, equals);
+    Strength strength{word.substr(0, equals)};
+    if (value.find(',') == value.npos)
+        strength.factor = dvec3(number_from(name, value, 0, 1e9));
+    else
+        strength.factor = point_from(name, value);
+    for (int c = 0; c < 3; ++c)
+        if (!(strength.factor[c] >= 0 && strength.factor[c] <= 1e9))
+            throw UsageError("--mix '" + word + "': expected numbers of 0 to 1e9");
+    return strength;
 }
 
 Change change_from(const std::string& word) {

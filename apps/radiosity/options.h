@@ -20,6 +20,15 @@ using radiosity::Change;
 /// Throws UsageError with the expected form.
 Change change_from(const std::string& word);
 
+/// How many times as strong a lamp is, by channel.
+struct Strength {
+    std::string lamp;
+    dvec3 factor{1};
+};
+
+/// "lamp=0.5" or "lamp=1,0.5,0.2". Throws UsageError with the expected form.
+Strength strength_from(const std::string& word);
+
 struct RadiosityOptions {
     PictureOptions picture{{.size = {512, 512}, .profile = "ideal"}};
     std::filesystem::path output;
@@ -38,6 +47,8 @@ struct RadiosityOptions {
     std::vector<std::string> form_factor;  ///< two names, or none
     std::vector<Change> changes;           ///< of the solved scene
     bool anew = false;                     ///< also solves the changed scene anew
+    bool shares = false;                   ///< keeps the light of each lamp apart
+    std::vector<Strength> mix;             ///< shows shares of DIR in these strengths; none: solves
 };
 
 /// Adds SCENE and all options. Parsing checks the words.

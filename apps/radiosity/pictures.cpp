@@ -85,6 +85,10 @@ std::vector<bool> other_figures(const std::vector<Rgba>& a, const std::vector<Rg
 
 }  // namespace
 
+radiosity::DisplayedPixmaps displayed(const Solved& solved, const RadiosityOptions& options) {
+    return radiosity::displayed_pixmaps(solved.model, solved.solution, !options.no_ambient);
+}
+
 RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene,
                                      Session& session)
     : options_(options),
@@ -149,21 +153,20 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapMode
     return machine_->planes().color;
 }
 
-std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const scene::View& view,
+std::string RadiosityPictures::put_view(const Solved& solved, const scene::View& view,
                                         const std::filesystem::path& stem,
                                         image::OutputSet& files) {
-    const radiosity::DisplayedPixmaps colors =
-        radiosity::displayed_pixmaps(solver.model(), solver.solution(), !options_.no_ambient);
+    const radiosity::DisplayedPixmaps colors = displayed(solved, options_);
     const auto picture = [&](const Image& image) {
         return to_picture(image.color, view, profile_.color_bits, options_.gamma);
     };
     if (options_.display != "both") {
-        const Image image = draw(solver.model(), colors, view, options_.display == "strips");
+        const Image image = draw(solved.model, colors, view, options_.display == "strips");
         image::put_picture(files.add(with_ending(stem, ".png")), picture(image));
         return "";
     }
-    const Image texture = draw(solver.model(), colors, view, false),
-                strips = draw(solver.model(), colors, view, true);
+    const Image texture = draw(solved.model, colors, view, false),
+                strips = draw(solved.model, colors, view, true);
     const Difference d = difference(in_eight_bits(picture(texture)), in_eight_bits(picture(strips)),
                                     other_figures(texture.figures, strips.figures));
     image::put_picture(files.add(with_ending(stem, "_texture.png")), picture(texture));
@@ -176,15 +179,14 @@ std::string RadiosityPictures::put_view(const radiosity::Solver& solver, const s
 }
 
 /// Drawn so that the brightest radiosity is white: the frame buffer cuts none off.
-std::string RadiosityPictures::put_units(const radiosity::Solver& solver, const scene::View& view,
+std::string RadiosityPictures::put_units(const Solved& solved, const scene::View& view,
                                          const std::filesystem::path& stem,
                                          image::OutputSet& files) {
-    const radiosity::DisplayedPixmaps colors =
-        radiosity::displayed_pixmaps(solver.model(), solver.solution(), !options_.no_ambient);
-    const double most = brightest(solver.model(), colors, true),
-                 lit = brightest(solver.model(), colors, false), red = lit > 0 ? lit : most;
+    const radiosity::DisplayedPixmaps colors = displayed(solved, options_);
+    const double most = brightest(solved.model, colors, true),
+                 lit = brightest(solved.model, colors, false), red = lit > 0 ? lit : most;
     machine_->execute(
-        radiosity::texture_list(solver.model(), colors, view, {.scale = most > 0 ? 1 / most : 1}));
+        radiosity::texture_list(solved.model, colors, view, {.scale = most > 0 ? 1 / most : 1}));
     machine_->reset_passes();
     const std::vector<Rgba>& drawn = machine_->planes().color;
     const std::uint32_t white = max_of_bits(profile_.color_bits);
@@ -206,14 +208,14 @@ std::string RadiosityPictures::put_units(const radiosity::Solver& solver, const 
         stem.filename().string(), red, red * 3 / 4, red / 2, red / 4);
 }
 
-std::string RadiosityPictures::put(const radiosity::Solver& solver, const std::string& name,
+std::string RadiosityPictures::put(const Solved& solved, const std::string& name,
                                    image::OutputSet& files) {
     std::string text;
     for (std::size_t i = 0; i < views_.size(); ++i) {
         const std::filesystem::path stem =
             options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name);
-        text += put_view(solver, views_[i], stem, files);
-        if (options_.units) text += put_units(solver, views_[i], stem, files);
+        text += put_view(solved, views_[i], stem, files);
+        if (options_.units) text += put_units(solved, views_[i], stem, files);
     }
     return text;
 }

@@ -7,6 +7,13 @@
 
 namespace gw::apps {
 
+/// What is shown: a solver's state, or one that was mixed of shares.
+struct Solved {
+    const radiosity::PixmapModel& model;
+    const radiosity::Solution& solution;
+};
+radiosity::DisplayedPixmaps displayed(const Solved& solved, const RadiosityOptions& options);
+
 class RadiosityPictures {
 public:
     RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene, Session& session);
@@ -15,8 +22,7 @@ public:
     /// NAME_texture.png, NAME_strips.png and NAME_difference.png, and returns a line about their
     /// difference for printing. With --units, also writes NAME_units.exr and NAME_false.png, with a
     /// line about their scale.
-    std::string put(const radiosity::Solver& solver, const std::string& name,
-                    image::OutputSet& files);
+    std::string put(const Solved& solved, const std::string& name, image::OutputSet& files);
 
 private:
     struct Image {
@@ -27,10 +33,10 @@ private:
     std::vector<Rgba> with_components(const radiosity::PixmapModel& model,
                                       const radiosity::DisplayedPixmaps& colors,
                                       const scene::View& view);
-    std::string put_view(const radiosity::Solver& solver, const scene::View& view,
+    std::string put_view(const Solved& solved, const scene::View& view,
                          const std::filesystem::path& stem, image::OutputSet& files);
 
-    std::string put_units(const radiosity::Solver& solver, const scene::View& view,
+    std::string put_units(const Solved& solved, const scene::View& view,
                           const std::filesystem::path& stem, image::OutputSet& files);
 
     const RadiosityOptions& options_;

@@ -7,6 +7,7 @@
 #include "apps/picture/scene_warnings.h"
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/light_maps.h"
+#include "apps/radiosity/mix.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
 #include "inspect/text/plural.h"
@@ -93,7 +94,8 @@ public:
             solver_.resume(
                 load_solution(saved_file(), solver_.model(), options_.solver.form_factors));
         if (options_.resume) saved_shots_ = solver_.solution().shots;
-        steps_ = {step_of(solver_, 0, 0)};
+        if (options_.shares) follow_shares();
+        steps_ = {step_of(solver_.model(), solver_.solution(), 0, 0)};
         if (options_.resume) steps_ = resumed_curve(options_.output, steps_.front());
         hemicubes_ = steps_.back().hemicubes;
         seconds_before_ = steps_.back().seconds;
@@ -108,6 +110,27 @@ public:
 private:
     std::filesystem::path saved_file() const { return options_.output / "pixmaps.exr"; }
 
+    Solved shown() const { return {solver_.model(), solver_.solution()}; }
+
+    void follow_shares() {
+        const radiosity::PixmapModel& model = solver_.model();
+        shares_ = options_.resume
+                      ? load_shares(options_.output, model, options_.solver.form_factors)
+                      : radiosity::initial_shares(model);
+        if (!shares_.empty() && shares_.front().solution.shots != solver_.solution().shots)
+            throw Error(
+                (options_.output / "share_1.exr").string(), 0,
+                fmt::format("has {} shots; expected {}, as {}", shares_.front().solution.shots,
+                            solver_.solution().shots, saved_file().string()));
+        std::vector<radiosity::Solution> parts;
+        for (radiosity::Share& share : shares_) parts.push_back(std::move(share.solution));
+        solver_.follow(std::move(parts));
+    }
+
+    void take_shares() {
+        for (std::size_t i = 0; i < shares_.size(); ++i) shares_[i].solution = solver_.parts()[i];
+    }
+
     bool finished() const {
         const Step& last = steps_.back();
         if (stalled_) return true;
@@ -119,7 +142,8 @@ private:
         const auto shot = solver_.shoot();
         if (!shot) return false;
         hemicubes_ += shot->hemicubes;
-        steps_.push_back(step_of(solver_, seconds_before_ + seconds_since(begin_), hemicubes_));
+        steps_.push_back(step_of(solver_.model(), solver_.solution(),
+                                 seconds_before_ + seconds_since(begin_), hemicubes_));
         stalled_ = options_.shots < 0 && stall_.after_shot(steps_.back().unshot);
         progress_.at(fmt::format("shot {}, {:.2f} % unshot", steps_.back().shots,
                                  100 * steps_.back().unshot));
@@ -131,7 +155,7 @@ private:
             solver_.solution().shots % static_cast<std::uint64_t>(options_.every) == 0) {
             image::OutputSet files(session_.inputs);
             RadiosityPictures(options_, scene_, session_)
-                .put(solver_, fmt::format("shot_{:06}", solver_.solution().shots), files);
+                .put(shown(), fmt::format("shot_{:06}", solver_.solution().shots), files);
             put_index(files, options_.output, session_);
             files.commit();
         }
@@ -159,14 +183,17 @@ private:
     void put_saved(image::OutputSet& files) {
         put_solution(files, saved_file(), solver_.model(), options_.solver.form_factors,
                      solver_.solution());
+        take_shares();
+        put_shares(files, options_.output, solver_.model(), options_.solver.form_factors, shares_);
     }
 
     void finish() {
         image::OutputSet files(session_.inputs);
         std::string text =
-            RadiosityPictures(options_, scene_, session_).put(solver_, "picture", files);
-        if (options_.light_maps) text += put_light_maps(options_, scene_, solver_, files);
+            RadiosityPictures(options_, scene_, session_).put(shown(), "picture", files);
+        if (options_.light_maps) text += put_light_maps(options_, scene_, shown(), "", files);
         if (options_.save) put_saved(files);
+        if (options_.shares) text += put_final_shares(files);
         put_report(steps_, options_.output, files);
         put_index(files, options_.output, session_);
         files.commit();
@@ -186,6 +213,22 @@ private:
             last.absorbed, last.unshot, last.escaped, last.imbalance, text));
     }
 
+    std::string put_final_shares(image::OutputSet& files) {
+        if (!options_.save) {
+            take_shares();
+            put_shares(files, options_.output, solver_.model(), options_.solver.form_factors,
+                       shares_);
+        }
+        radiosity::PixmapModel alone = solver_.model();
+        if (options_.light_maps)
+            for (std::size_t i = 0; i < shares_.size(); ++i) {
+                alone.E = shares_[i].E;
+                put_light_map_values(options_, {alone, shares_[i].solution},
+                                     fmt::format("share_{}_", i + 1), files);
+            }
+        return text_of(shares_, solver_.model());
+    }
+
     // [F4] Shoots the difference; with --anew, also solves the changed scene from the beginning.
     void change() {
         scene::Scene changed = scene_;
@@ -203,7 +246,7 @@ private:
                           seconds_since(begin), unshot(solver_)));
         image::OutputSet files(session_.inputs);
         const std::string text =
-            RadiosityPictures(options_, changed, session_).put(solver_, "changed", files);
+            RadiosityPictures(options_, changed, session_).put(shown(), "changed", files);
         put_index(files, options_.output, session_);
         files.commit();
         print(text);
@@ -245,6 +288,7 @@ private:
     const scene::Scene& scene_;
     radiosity::Solver solver_;
     radiosity::Stall stall_;
+    std::vector<radiosity::Share> shares_;  ///< their solutions follow the solver's
     bool stalled_ = false;
     Interruption interruption_;
     std::optional<std::uint64_t> saved_shots_;  ///< in DIR/pixmaps.exr
@@ -278,6 +322,7 @@ int compute(RadiosityOptions options, Session session) {
         print_form_factor(options, model, progress);
         return Done;
     }
+    if (!options.mix.empty()) return show_mix(options, session, scene, std::move(model));
     const int code = Run(options, session, scene, std::move(model), progress).run();
     if (options.record) put_recordings(recorder, options, session);
     return code;

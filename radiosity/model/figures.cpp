@@ -149,6 +149,25 @@ scene::Scene joined(const scene::Scene& drawn) {
 
 }  // namespace
 
+// The sums of cover_texels, in its order: if all factors are 1, its bits.
+std::vector<dvec3> emission_times(const PixmapModel& model,
+                                  const std::function<dvec3(const Figure&)>& factor) {
+    std::vector<dvec3> E(model.texel_count(), dvec3(0));
+    for (const Facet& facet : model.facets) {
+        const Pixmap& pixmap = model.pixmaps[facet.pixmap];
+        const Figure& figure = model.figures[facet.figure];
+        const dvec3 emitted = figure.E * factor(figure);
+        if (emitted == dvec3(0)) continue;
+        for (const Triangle2& triangle : facet.triangles)
+            for_each_part(triangle, pixmap, [&](int x, int y, const Polygon2& part) {
+                E[pixmap.texel(x, y)] += area(part) * facet.texel_area * emitted;
+            });
+    }
+    for (std::size_t t = 0; t < E.size(); ++t)
+        E[t] = model.area[t] > 0 ? E[t] / model.area[t] : dvec3(0);
+    return E;
+}
+
 void check_emission(const PixmapModel& model) {
     for (const Figure& figure : model.figures)
         if (figure.E != dvec3(0)) return;

@@ -4,6 +4,9 @@
 
 #include "radiosity/model/pixmap_model.h"
 
+#include <functional>
+#include <vector>
+
 namespace gw::radiosity {
 
 struct ModelOptions {
@@ -17,6 +20,10 @@ struct ModelOptions {
 /// reflectance above 1; a pixmap that is larger than 4096 texels a side or shared with another
 /// size.
 PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options = {});
+
+/// The emission of each texel if every figure emitted so many times what it does, by channel.
+std::vector<dvec3> emission_times(const PixmapModel& model,
+                                  const std::function<dvec3(const Figure&)>& factor);
 
 /// Throws Error if no figure emits: there is nothing to solve. Form factors need no light.
 void check_emission(const PixmapModel& model);

@@ -11,7 +11,6 @@
 namespace gw::radiosity {
 namespace {
 
-constexpr const char* kind = "radiosity pixmaps";
 /// Also of the form factors: going on must give the same bits.
 constexpr const char* version = "5";
 
@@ -62,10 +61,11 @@ void put_split(std::vector<float>& values, double v) {
     values.push_back(static_cast<float>(v - double(head)));
 }
 
-SavedPixmap pixmap_of(const PixmapModel& model, const Solution& solution, const Pixmap& pixmap) {
+SavedPixmap pixmap_of(const PixmapModel& model, const Solution& solution,
+                      const std::vector<dvec3>& E, const Pixmap& pixmap) {
     SavedPixmap out{pixmap.name, pixmap.width, pixmap.height, {}};
     for (std::size_t t = pixmap.first; t < pixmap.first + pixmap.count(); ++t) {
-        const dvec3 B = radiosity_at(model, solution, t);
+        const dvec3 B = E[t] + model.rho[t] * solution.H[t];
         for (int c = 0; c < 3; ++c) out.values.push_back(static_cast<float>(B[c]));
         for (int c = 0; c < 3; ++c) put_split(out.values, solution.H[t][c]);
         for (int c = 0; c < 3; ++c) put_split(out.values, solution.unshot[t][c]);
@@ -159,10 +159,15 @@ std::string fingerprint(const FormFactorOptions& options) {
 }
 
 Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution) {
+    return save(model, options, solution, model.E);
+}
+
+Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution,
+           const std::vector<dvec3>& E) {
     Saved saved;
     for (const Pixmap& pixmap : model.pixmaps)
-        saved.pixmaps.push_back(pixmap_of(model, solution, pixmap));
-    saved.facts = {{"kind", kind},
+        saved.pixmaps.push_back(pixmap_of(model, solution, E, pixmap));
+    saved.facts = {{"kind", whole_kind},
                    {"version", version},
                    {"scene", model.drawn.name},
                    {"model", fingerprint(model)},
@@ -176,7 +181,7 @@ Saved save(const PixmapModel& model, const FormFactorOptions& options, const Sol
 }
 
 void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
-                 const std::string& file) {
+                 const std::string& file, const char* kind) {
     const auto expect = [&](const char* name, const std::string& wanted, const std::string& what) {
         if (fact(saved, name) == wanted) return;
         throw Error(file, 0, fmt::format("{}; expected {}", what, wanted));
@@ -201,8 +206,8 @@ void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorO
 }
 
 Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
-              const std::string& file) {
-    check_saved(saved, model, options, file);
+              const std::string& file, const char* kind) {
+    check_saved(saved, model, options, file, kind);
     const auto damaged = [&](const char* what) {
         return Error(file, 0, fmt::format("is damaged: {}; expected it as it was saved", what));
     };

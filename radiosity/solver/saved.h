@@ -31,15 +31,20 @@ struct Saved {
 std::string fingerprint(const PixmapModel& model);
 std::string fingerprint(const FormFactorOptions& options);
 
+inline constexpr const char *whole_kind = "radiosity pixmaps", *share_kind = "radiosity share";
+
 Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution);
+/// For R, G, B, with this emission in place of the model's.
+Saved save(const PixmapModel& model, const FormFactorOptions& options, const Solution& solution,
+           const std::vector<dvec3>& E);
 
 /// Throws Error that names the difference: another kind of file, version, scene or method, or
 /// damaged contents. `file`: for the message.
 Solution load(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
-              const std::string& file);
+              const std::string& file, const char* kind = whole_kind);
 
 /// Throws as `load` does if `saved` was computed for another model. Does not read the values.
 void check_saved(const Saved& saved, const PixmapModel& model, const FormFactorOptions& options,
-                 const std::string& file);
+                 const std::string& file, const char* kind = whole_kind);
 
 }  // namespace gw::radiosity

@@ -31,12 +31,21 @@ void Solver::resume(Solution solution) {
         throw Error(fmt::format("a solution of {} texels; expected {}", solution.H.size(),
                                 model_->texel_count()));
     solution_ = std::move(solution);
+    parts_.clear();
 }
 
-dvec3 Solver::unshot_flux(const Patch& patch) const {
+void Solver::follow(std::vector<Solution> parts) {
+    for (const Solution& part : parts)
+        if (part.H.size() != model_->texel_count() || part.unshot.size() != model_->texel_count())
+            throw Error(fmt::format("a part of {} texels; expected {}", part.H.size(),
+                                    model_->texel_count()));
+    parts_ = std::move(parts);
+}
+
+dvec3 Solver::unshot_flux(const Patch& patch, const Solution& solution) const {
     dvec3 flux(0);
     for_each_texel(*model_, patch,
-                   [&](std::size_t t) { flux += model_->area[t] * solution_.unshot[t]; });
+                   [&](std::size_t t) { flux += model_->area[t] * solution.unshot[t]; });
     return flux;
 }
 
@@ -51,7 +60,7 @@ dvec3 Solver::shot_flux(const Patch& patch) const {
 std::pair<std::size_t, dvec3> Solver::brightest() const {
     std::pair<std::size_t, dvec3> best{0, dvec3(0)};
     for (std::size_t p = 0; p < model_->patches.size(); ++p) {
-        const dvec3 flux = unshot_flux(model_->patches[p]);
+        const dvec3 flux = unshot_flux(model_->patches[p], solution_);
         if (magnitude(flux) > magnitude(best.second)) best = {p, flux};
     }
     return best;
@@ -62,14 +71,21 @@ std::optional<Shot> Solver::shoot() {
     if (flux == dvec3(0)) return std::nullopt;
     Shot shot{patch, flux, 0};
     const PatchRows& rows = rows_of(patch, &shot.hemicubes);
-    const std::vector<dvec3> light =
-        rows.size() == 1 ? std::vector{flux} : light_of_quarters(patch);
-    for_each_texel(*model_, model_->patches[patch],
-                   [&](std::size_t t) { solution_.unshot[t] = dvec3(0); });
-    add_light(rows, light);
-    receive();
-    ++solution_.shots;
+    send(patch, flux, rows, solution_);
+    for (Solution& part : parts_)
+        send(patch, unshot_flux(model_->patches[patch], part), rows, part);
     return shot;
+}
+
+void Solver::send(std::size_t patch, const dvec3& flux, const PatchRows& rows, Solution& solution) {
+    ++solution.shots;
+    if (flux == dvec3(0)) return;
+    const std::vector<dvec3> light =
+        rows.size() == 1 ? std::vector{flux} : light_of_quarters(patch, solution);
+    for_each_texel(*model_, model_->patches[patch],
+                   [&](std::size_t t) { solution.unshot[t] = dvec3(0); });
+    add_light(rows, light, solution);
+    receive(solution);
 }
 
 namespace {
@@ -80,7 +96,7 @@ double part_of(double at, bool high) { return 0.5 + (high ? 1 : -1) * std::clamp
 
 }  // namespace
 
-std::vector<dvec3> Solver::light_of_quarters(std::size_t number) const {
+std::vector<dvec3> Solver::light_of_quarters(std::size_t number, const Solution& solution) const {
     const Patch& patch = model_->patches[number];
     const Pixmap& pixmap = model_->pixmaps[patch.pixmap];
     std::vector<dvec3> light(4, dvec3(0));
@@ -90,7 +106,7 @@ std::vector<dvec3> Solver::light_of_quarters(std::size_t number) const {
             const double u = (2 * x + 1.0) / patch.width - 1, v = (2 * y + 1.0) / patch.height - 1;
             for (std::size_t q = 0; q < light.size(); ++q)
                 light[q] +=
-                    part_of(u, q & 1) * part_of(v, q & 2) * (model_->area[t] * solution_.unshot[t]);
+                    part_of(u, q & 1) * part_of(v, q & 2) * (model_->area[t] * solution.unshot[t]);
         }
     return light;
 }
@@ -107,26 +123,26 @@ const PatchRows& Solver::rows_of(std::size_t patch, int* drawn) {
 
 /// Adds the light of a patch's quarters to the incoming light. One quarter's form factors may add up
 /// to a little less or more than 1; the rest is sent from all quarters, so that no light is lost.
-void Solver::add_light(const PatchRows& rows, const std::vector<dvec3>& light) {
+void Solver::add_light(const PatchRows& rows, const std::vector<dvec3>& light, Solution& solution) {
     dvec3 rest(0);
     for (std::size_t q = 0; q < rows.size(); ++q) rest += (1 - rows[q].sum()) * light[q];
     for (std::size_t q = 0; q < rows.size(); ++q) {
         const dvec3 flux = light[q] + rest / double(rows.size());
         rows[q].for_each([&](std::uint32_t t, double factor) { incoming_[t] += factor * flux; });
-        solution_.backs += rows[q].backs() * flux;
-        solution_.escaped += rows[q].escaped() * flux;
+        solution.backs += rows[q].backs() * flux;
+        solution.escaped += rows[q].escaped() * flux;
     }
 }
 
-void Solver::receive() {
+void Solver::receive(Solution& solution) {
     for (std::size_t element = 0; element < incoming_.size(); ++element) {
         if (incoming_[element] == dvec3(0)) continue;
         const dvec3 density = incoming_[element] / model_->element_area[element];
         incoming_[element] = dvec3(0);
         for (auto t = std::uint32_t(element); t != no_texel; t = model_->next_of_element[t]) {
-            const dvec3 before = solution_.H[t];
-            add(solution_.H[t], density);
-            add(solution_.unshot[t], model_->rho[t] * (solution_.H[t] - before));
+            const dvec3 before = solution.H[t];
+            add(solution.H[t], density);
+            add(solution.unshot[t], model_->rho[t] * (solution.H[t] - before));
         }
     }
 }

@@ -59,6 +59,12 @@ public:
     /// Continues another one, of the same model. Throws Error if its arrays have other lengths.
     void resume(Solution solution);
 
+    /// From now on, every shot also sends the light of these solutions of the same model, with the
+    /// same form factors: parts of the whole, as the light of one lamp (shares.h). resume and update
+    /// end it. Throws Error if their arrays have other lengths.
+    void follow(std::vector<Solution> parts);
+    const std::vector<Solution>& parts() const { return parts_; }
+
     /// The patch that is next, and its unshot flux.
     std::pair<std::size_t, dvec3> brightest() const;
 
@@ -75,10 +81,11 @@ public:
 private:
     /// The rows are drawn if they are not kept, and valid until the next call.
     const PatchRows& rows_of(std::size_t patch, int* drawn);
-    std::vector<dvec3> light_of_quarters(std::size_t patch) const;
-    void add_light(const PatchRows& rows, const std::vector<dvec3>& light);
-    void receive();
-    dvec3 unshot_flux(const Patch& patch) const;
+    void send(std::size_t patch, const dvec3& flux, const PatchRows& rows, Solution& solution);
+    std::vector<dvec3> light_of_quarters(std::size_t patch, const Solution& solution) const;
+    void add_light(const PatchRows& rows, const std::vector<dvec3>& light, Solution& solution);
+    void receive(Solution& solution);
+    dvec3 unshot_flux(const Patch& patch, const Solution& solution) const;
     dvec3 shot_flux(const Patch& patch) const;
     void change_materials(const PixmapModel& to);
     bool is_less_to_begin_again(double least) const;
@@ -98,6 +105,7 @@ private:
     SolverOptions options_;
     std::unique_ptr<FormFactors> form_factors_;
     Solution solution_;
+    std::vector<Solution> parts_;  ///< that follow
     Rows rows_;
     PatchRows drawn_;              ///< the last rows that were not kept yet
     std::vector<dvec3> incoming_;  ///< flux to each element, in the shot in progress

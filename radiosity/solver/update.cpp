@@ -75,6 +75,7 @@ Update Solver::update(PixmapModel to, double tolerance) {
             "other materials");
     check_emission(to);
     const double left = magnitude(books(*model_, solution_).unshot_size);
+    parts_.clear();
     change_materials(to);
     if (!moved_facets(*model_, to).empty()) return move(std::move(to), tolerance);
     // Form factors stay; only values that depend on materials are new.
@@ -227,9 +228,9 @@ void Solver::send_anew(const std::vector<Affected>& affected, FormFactors& next,
         const std::vector<Row> drawn = next.from_quarters(a.patch);
         const PatchRows now = compact(drawn);
         const PatchRows& before = rows_of(a.patch, &done.hemicubes);
-        add_light(before, evenly(-a.flux, before.size()));
-        add_light(now, evenly(a.flux, now.size()));
-        receive();
+        add_light(before, evenly(-a.flux, before.size()), solution_);
+        add_light(now, evenly(a.flux, now.size()), solution_);
+        receive(solution_);
         for (const Row& row : drawn) done.hemicubes += row.hemicubes;
         ++done.patches;
         rows_.drop(a.patch);
