@@ -1,4 +1,4 @@
-// gw gl: runs a program that draws with OpenGL on the machine.
+// gw gl: runs a program that draws with OpenGL or IRIS GL on the machine.
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/command/terminal.h"
@@ -73,8 +73,10 @@ void add_options(CLI::App& command, GlOptions& options) {
     command
         .add_option("--screenshot", options.picture, "The last frame that was shown, as a picture")
         ->type_name("IMAGE");
-    command.add_flag("--stats", options.statistics,
-                     "On stderr: frames a second; draws, fragments and barriers of a frame");
+    command.add_flag(
+        "--stats", options.statistics,
+        "On stderr: frames a second, here and estimated on a VGX; draws, fragments and "
+        "barriers of a frame");
     command.add_flag("--env", options.environment,
                      "Run nothing; print the variables as a shell sets them, for every program "
                      "that it starts from then on");
@@ -208,8 +210,8 @@ int run_gl(const GlOptions& options, Session& session) {
 }  // namespace
 
 Command add_gl(CLI::App& app) {
-    CLI::App* command =
-        app.add_subcommand("gl", "Runs a program that draws with OpenGL 1.5 on the machine");
+    CLI::App* command = app.add_subcommand(
+        "gl", "Runs a program that draws with OpenGL 1.5 or IRIS GL on the machine");
     const auto options = std::make_shared<GlOptions>();
     add_options(*command, *options);
     command->footer(

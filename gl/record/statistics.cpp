@@ -30,6 +30,17 @@ std::string row(const std::string& name, const Spread& spread, std::uint64_t fra
                        spread.sum / double(frames), std::max(digits, 1), spread.most, digits);
 }
 
+double rate(std::uint64_t frames, double seconds) {
+    return double(frames) / std::max(seconds, 1e-9);
+}
+
+/// "an estimated 24.0 (6.0 to 48.0)" frames a second.
+std::string estimated_rate(std::uint64_t frames, const Estimate& estimate) {
+    if (estimate.seconds == 0) return "no estimate";
+    return fmt::format("an estimated {:.1f} ({:.1f} to {:.1f})", rate(frames, estimate.seconds),
+                       rate(frames, estimate.most), rate(frames, estimate.least));
+}
+
 }  // namespace
 
 void Spread::add(double value) {
@@ -74,6 +85,9 @@ void Statistics::add(const Frame& frame, Clock::time_point end) {
     ++frames_;
     end_ = end;
     milliseconds_.add(std::chrono::duration<double, std::milli>(end - frame.begin).count());
+    const Estimate estimate = estimated_on_vgx(frame.counters);
+    estimate_ += estimate;
+    estimated_.add(estimate.seconds * 1000);
     draws_.add(double(frame.counters.draws));
     vertices_.add(double(frame.counters.vertices));
     fragments_.add(double(frame.counters.fragments));
@@ -83,11 +97,12 @@ void Statistics::add(const Frame& frame, Clock::time_point end) {
 
 std::string Statistics::text() const {
     const double seconds = std::chrono::duration<double>(end_ - begin_).count();
-    std::string out = fmt::format("{} in {:.3f} s, {:.1f} frames a second\n",
-                                  inspect::plural(frames_, "frame", "frames"), seconds,
-                                  double(frames_) / std::max(seconds, 1e-9));
+    const std::string frames = inspect::plural(frames_, "frame", "frames");
+    std::string out = fmt::format("{} in {:.3f} s, {:.1f} frames a second\n", frames, seconds,
+                                  rate(frames_, seconds));
     out += fmt::format("{:<26}{:>14}{:>14}{:>14}\n", "per frame", "least", "mean", "most");
     out += row("milliseconds", milliseconds_, frames_, 3);
+    out += row("estimated on a VGX, ms", estimated_, frames_, 3);
     out += row("draws", draws_, frames_, 0);
     out += row("vertices", vertices_, frames_, 0);
     out += row("fragments", fragments_, frames_, 0);
@@ -95,6 +110,9 @@ std::string Statistics::text() const {
     for (std::size_t i = 1; i < causes_.size(); ++i)
         if (causes_[i].most > 0)
             out += row(std::string("barriers: ") + cause_names[i], causes_[i], frames_, 0);
+    out += fmt::format("{}: {:.1f} frames a second here, {} on an {}\n", frames,
+                       rate(frames_, seconds), estimated_rate(frames_, estimate_),
+                       estimated_machine());
     return out;
 }
 

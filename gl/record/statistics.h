@@ -3,6 +3,7 @@
 
 #include "gl/drawable/frame_log.h"
 #include "gl/drawable/settings.h"
+#include "gl/record/estimate.h"
 
 #include <array>
 #include <chrono>
@@ -51,7 +52,8 @@ private:
     std::map<const Drawable*, Frame> open_;
     std::uint64_t frames_ = 0;
     Clock::time_point begin_{}, end_{};  ///< of the first and the last frame
-    Spread milliseconds_, draws_, vertices_, fragments_, written_;
+    Spread milliseconds_, estimated_, draws_, vertices_, fragments_, written_;
+    Estimate estimate_;  ///< of all frames
     std::array<Spread, cause_count> causes_;
 };
 
