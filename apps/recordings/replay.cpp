@@ -13,6 +13,7 @@
 #include "image/write.h"
 #include "inspect/compare/compare_machines.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ struct ReplayOptions {
     std::filesystem::path picture, planes;
     MachineOptions machine;
     OnOpengl on;
+    bool indices = false;
 };
 
 void add_options(CLI::App& command, ReplayOptions& options) {
@@ -36,6 +38,10 @@ void add_options(CLI::App& command, ReplayOptions& options) {
         .add_option("--planes", options.planes,
                     "The planes at the end: values as EXR, false colours as PNG")
         ->type_name("DIR");
+    command.add_flag(
+        "--indices", options.indices,
+        "Of a program of IRIS GL in colour map mode: --output has the indices, low bits "
+        "in R, high bits in G, instead of the map's colours");
     add_machine_options(command, options.machine);
 #ifdef GW_WITH_OPENGL
     command
@@ -98,6 +104,17 @@ int replay_on_opengl(const ReplayOptions& options, Session& session) {
 }
 #endif
 
+/// The colours, as a screen shows them.
+image::Picture picture_of(const ReplayOptions& options, const inspect::Recording& recording,
+                          const Planes& planes) {
+    const inspect::ShownMaps maps(recording);
+    if (maps.last() == nullptr || options.indices)
+        return image::picture_of(planes.color, planes.width, planes.height,
+                                 recording.profile.color_bits);
+    return image::picture_of(inspect::through_map(planes.color, *maps.last()), planes.width,
+                             planes.height, 8);
+}
+
 void write_files(const ReplayOptions& options, const inspect::Recording& recording,
                  const Planes& planes, const Session& session) {
     image::OutputSet output(session.inputs);
@@ -106,9 +123,7 @@ void write_files(const ReplayOptions& options, const inspect::Recording& recordi
         image::put_planes(output, options.planes, planes, recording.profile);
     }
     if (!options.picture.empty())
-        image::put_picture(output.add(options.picture),
-                           image::picture_of(planes.color, planes.width, planes.height,
-                                             recording.profile.color_bits));
+        image::put_picture(output.add(options.picture), picture_of(options, recording, planes));
     if (!options.planes.empty()) put_index(output, options.planes, session);
     output.commit();
 }

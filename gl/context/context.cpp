@@ -10,10 +10,15 @@
 namespace gw::gl {
 
 constinit thread_local Context* current = nullptr;
+constinit thread_local const CallPlace* outer_call = nullptr;
 
 void keep_call(Function function, const void* source) {
-    if (Context* const context = bound_context())
-        context->calls.now = {context->calls.next++, function, source, nullptr};
+    Context* const context = bound_context();
+    if (context == nullptr) return;
+    if (outer_call != nullptr)
+        context->calls.now = *outer_call;
+    else
+        context->calls.now = {context->calls.next++, name_of(function), source, nullptr};
 }
 
 Context::Context(const Profile& of, std::shared_ptr<Shared> with)

@@ -21,7 +21,11 @@ inline Context* bound_context() {
     return own != nullptr ? own : context_of_other_library();
 }
 
-/// Sets CallTrace::now of the context.
+/// The call of an interface above OpenGL that is being carried out: what OpenGL draws meanwhile is its
+/// work. Null: none.
+extern constinit thread_local const CallPlace* outer_call;
+
+/// Sets CallTrace::now of the context: the outer call, else this one.
 void keep_call(Function function, const void* source);
 
 /// At the beginning of each entry point; `source` is its return address.

@@ -1,12 +1,14 @@
 // The calls that made the machine's commands: their numbers in the frame, their functions, the
-// display lists that played them. Kept while somebody records. Does not name anything.
+// display lists that played them. Kept while somebody records.
 #pragma once
 
+#include "generated/gl/function_names.h"
 #include "generated/gl/functions.h"
 
 #include <GL/gl.h>
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,11 +18,13 @@ namespace gw::gl {
 struct PlayedList;
 
 struct CallPlace {
-    std::uint32_t number = 0;  ///< from 0: in the frame, or in the display list
-    Function function{};
+    std::uint32_t number = 0;      ///< from 0: in the frame, or in the display list
+    const char* function = "";     ///< "glVertex3f"; never dies
     const void* source = nullptr;  ///< in the program, behind the call; null: a display list's
     std::shared_ptr<const PlayedList> list;  ///< null: the frame
 };
+
+inline const char* name_of(Function function) { return function_names[std::size_t(function)]; }
 
 /// A display list that is being played.
 struct PlayedList {

@@ -9,6 +9,7 @@
 #include "gl/drawable/frame_log.h"
 #include "gl/drawable/sample_counts.h"
 #include "gl/drawable/settings.h"
+#include "gl/drawable/shown_indices.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
 
@@ -100,6 +101,8 @@ public:
                      std::span<std::uint32_t> pixels, ReadLayout layout = {});
     void read_packed(const Rect& rect, Cause cause, std::span<std::uint32_t> pixels,
                      ReadLayout layout = {});
+    /// How its window shows the colours now, if they are indices.
+    virtual ShownIndices shown_indices() const { return {}; }
     /// Whether nobody sees it: its program may never swap.
     virtual bool is_off_screen() const { return false; }
 

@@ -53,7 +53,7 @@ void DisplayList::play_calls(Context& context, const Step& step) const {
     std::uint32_t number = step.first;
     for (Position p = step.begin; p != step.end; p = next(p), ++number) {
         if (calls_are_kept && !context.calls.is_one_call) [[unlikely]]
-            context.calls.now = {number, header(p).function, nullptr, context.calls.list};
+            context.calls.now = {number, name_of(header(p).function), nullptr, context.calls.list};
         header(p).operations->play(context, values(p));
     }
 }

@@ -90,7 +90,7 @@ bool Sealer::take_vertex(const vec4& position, Function function) {
     assembly.add(now_);
     if (given_.further_texcoords != decltype(given_.further_texcoords){})
         assembly.further_texcoords.push_back(further_);
-    if (calls_are_kept) run_calls_.add({.number = number_, .function = function});
+    if (calls_are_kept) run_calls_.add({.number = number_, .function = name_of(function)});
     ++vertices_;
     return true;
 }

@@ -1,12 +1,11 @@
 #include "gl/record/call_table.h"
 
-#include "generated/gl/function_names.h"
-
 #include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,9 +52,8 @@ private:
     /// Display lists nest no deeper than max_list_nesting.
     inspect::Call call_of(const CallPlace& call) {
         inspect::Call out{.number = call.number};
-        out.function = place_in(table.functions, functions_, call.function, [&] {
-            return std::string(function_names[std::size_t(call.function)]);
-        });
+        out.function = place_in(table.functions, functions_, std::string_view(call.function),
+                                [&] { return std::string(call.function); });
         if (call.source != nullptr)
             out.source = place_in(table.sources, sources_, call.source,
                                   [&] { return source_name_(call.source); });
@@ -67,7 +65,7 @@ private:
     }
 
     SourceName source_name_;
-    std::map<Function, std::uint32_t> functions_;
+    std::map<std::string_view, std::uint32_t> functions_;
     std::map<const void*, std::uint32_t> sources_;
     std::map<const PlayedList*, std::uint32_t> lists_;
 };

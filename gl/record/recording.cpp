@@ -21,6 +21,14 @@ inspect::Recording heading(const Profile& profile) {
     return out;
 }
 
+inspect::ColorMap color_map_of(ShownIndices shown) {
+    inspect::ColorMap map{.planes = static_cast<inspect::IndexPlanes>(shown.planes),
+                          .bits = shown.bits,
+                          .bits_in_r = shown.bits_in_r,
+                          .entries = std::move(shown.entries)};
+    return map.bits != 0 ? map : inspect::ColorMap{};
+}
+
 }  // namespace
 
 Recording::Recording(std::string file, const Profile& profile, const FrameRange& frames)
@@ -69,10 +77,20 @@ void Recording::begin_window(Drawable& drawable) {
     if (is_left_out(drawable)) return;
     writer_.open(drawable.name(), drawable.width(), drawable.height());
     windows_.insert(drawable.name());
+    color_maps_.erase(drawable.name());
     if (drawable.state() == nullptr) return;  // nothing was drawn before
-    writer_.add(drawable.name(), restoring_list(drawable.planes(), drawable.profile(),
-                                                "before frame " + std::to_string(drawable.frame()),
-                                                *drawable.state()));
+    writer_.add(
+        drawable.name(),
+        restoring_list(drawable.planes(), drawable.profile(),
+                       "before frame " + std::to_string(drawable.frame()), *drawable.state()),
+        {}, new_color_map(drawable));
+}
+
+std::optional<inspect::ColorMap> Recording::new_color_map(const Drawable& drawable) {
+    inspect::ColorMap now = color_map_of(drawable.shown_indices());
+    inspect::ColorMap& known = color_maps_[drawable.name()];
+    if (now == known) return {};
+    return known = std::move(now);
 }
 
 void Recording::open(Drawable& drawable) {
@@ -90,7 +108,8 @@ void Recording::executed(Drawable& drawable, const Execution& execution) {
     if (!frames_.holds(drawable.frame())) return;
     attempt([&] {
         if (windows_.contains(drawable.name()))
-            writer_.add(drawable.name(), execution.list, namer_.table_of(execution.calls));
+            writer_.add(drawable.name(), execution.list, namer_.table_of(execution.calls),
+                        new_color_map(drawable));
     });
 }
 
@@ -100,6 +119,7 @@ void Recording::end_frame(Drawable& drawable) {
 
 void Recording::close(Drawable& drawable) {
     attempt([&] {
+        color_maps_.erase(drawable.name());
         if (windows_.erase(drawable.name()) != 0) writer_.close(drawable.name());
     });
 }

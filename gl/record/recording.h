@@ -8,6 +8,8 @@
 #include "inspect/recording/stream.h"
 
 #include <fstream>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -39,6 +41,8 @@ private:
     void attempt(Write write);
     void begin_window(Drawable& drawable);
     bool is_left_out(const Drawable& drawable);
+    /// How the window shows its colours, if it differs from what the recording has.
+    std::optional<inspect::ColorMap> new_color_map(const Drawable& drawable);
 
     std::string file_;
     FrameRange frames_;
@@ -47,6 +51,8 @@ private:
     CallNamer namer_;
     std::set<std::string> windows_;   ///< that are open in the recording
     std::set<std::string> left_out_;  ///< not recorded
+    std::map<std::string, inspect::ColorMap>
+        color_maps_;  ///< of windows_, as the recording has them
     bool failed_ = false;
 };
 

@@ -106,6 +106,12 @@ private:
         charge(decoded_bytes(*stored.calls()));
         return from_file(*stored.calls(), stored.commands() ? stored.commands()->size() : 0);
     }
+    std::optional<ColorMap> color_map(const gwt::CommandList& stored) {
+        const gwt::ColorMap* const map = stored.color_map();
+        if (map == nullptr) return {};
+        if (map->entries()) charge(map->entries()->size() * sizeof(std::uint32_t));
+        return from_file(*map);
+    }
 
     const gwt::Recording& file_;
     const Limits& limits_;
@@ -299,6 +305,8 @@ Part Decoder::decode() {
     states_ = all(file_.states(), "state", [](const gwt::State& s) { return from_file(s); });
     r.lists = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return list(l); });
     r.calls = all(file_.lists(), "list", [this](const gwt::CommandList& l) { return calls(l); });
+    r.color_maps =
+        all(file_.lists(), "list", [this](const gwt::CommandList& l) { return color_map(l); });
     part.recording = std::move(r);
     return part;
 }

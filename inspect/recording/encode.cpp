@@ -126,7 +126,7 @@ private:
                                file_enum<gwt::MagFilter>(c.filter))
             .Union();
     }
-    Offset<gwt::CommandList> list(const CommandList& list, const CallTable* calls);
+    Offset<gwt::CommandList> list(const Recording& r, std::size_t i);
     Offset<gwt::Profile> profile(const Profile& p);
     std::uint32_t version(const Profile& profile) const;
 
@@ -307,10 +307,10 @@ Offset<void> Encoder::command(const DrawPixels& c) {
         .Union();
 }
 
-Offset<gwt::CommandList> Encoder::list(const CommandList& list, const CallTable* calls) {
+Offset<gwt::CommandList> Encoder::list(const Recording& r, std::size_t i) {
     std::vector<gwt::CommandType> types;
     std::vector<Offset<gwt::AnyCommand>> commands;
-    for (const Command& c : list.commands) {
+    for (const Command& c : r.lists[i].commands) {
         need(sizeof(gwt::Matrix) + 256);
         types.push_back(static_cast<gwt::CommandType>(c.index() + 1));  // CommandType's 0 is NONE
         commands.emplace_back(
@@ -318,12 +318,17 @@ Offset<gwt::CommandList> Encoder::list(const CommandList& list, const CallTable*
     }
     const auto stored_types = out_.CreateVector(types);
     const auto stored_commands = out_.CreateVector(commands);
-    Offset<gwt::CallTable> stored_calls;
-    if (calls) {
-        need(calls->runs.size() * sizeof(gwt::CallRun));
-        stored_calls = to_file(out_, *calls);
+    Offset<gwt::CallTable> calls;
+    if (i < r.calls.size()) {
+        need(r.calls[i].runs.size() * sizeof(gwt::CallRun));
+        calls = to_file(out_, r.calls[i]);
     }
-    return gwt::CreateCommandList(out_, stored_types, stored_commands, stored_calls);
+    Offset<gwt::ColorMap> map;
+    if (i < r.color_maps.size() && r.color_maps[i]) {
+        need(r.color_maps[i]->entries.size() * sizeof(std::uint32_t));
+        map = to_file(out_, *r.color_maps[i]);
+    }
+    return gwt::CreateCommandList(out_, stored_types, stored_commands, calls, map);
 }
 
 Offset<gwt::Profile> Encoder::profile(const Profile& p) {
@@ -341,16 +346,6 @@ Offset<gwt::Profile> Encoder::profile(const Profile& p) {
         e.multisample);
 }
 
-bool needs_version_2(const Profile& p) {
-    Extensions of_version_1;
-    of_version_1.polygon_offset = p.extensions.polygon_offset;
-    of_version_1.shadow_texture = p.extensions.shadow_texture;
-    of_version_1.stencil_wrap = p.extensions.stencil_wrap;
-    of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
-    return p.extensions != of_version_1 || p.texel_bits != 0 || p.coverage_bits != 0 ||
-           p.color_planes != 1;
-}
-
 std::uint32_t Encoder::version(const Profile& profile) const {
     const bool second = uses_version_2_ || needs_version_2(profile) ||
                         std::any_of(states_.begin(), states_.end(),
@@ -363,8 +358,7 @@ std::vector<std::uint8_t> Encoder::encode(const Recording& r, const std::string&
     uses_version_2_ = !window.empty();
     static_assert(std::variant_size_v<Command> == std::size_t(gwt::CommandType::MAX));
     std::vector<Offset<gwt::CommandList>> lists;
-    for (std::size_t i = 0; i < r.lists.size(); ++i)
-        lists.push_back(list(r.lists[i], i < r.calls.size() ? &r.calls[i] : nullptr));
+    for (std::size_t i = 0; i < r.lists.size(); ++i) lists.push_back(list(r, i));
     std::vector<Offset<gwt::State>> states;
     for (const State& s : states_) states.push_back(to_file(out_, s));
     std::vector<Offset<gwt::Lights>> light_sets;

@@ -81,4 +81,30 @@ TextureRef given_texture(const gwt::Texture& t, const std::string& name,
     return make_texture(std::move(texture));
 }
 
+bool needs_version_2(const Profile& p) {
+    Extensions of_version_1;
+    of_version_1.polygon_offset = p.extensions.polygon_offset;
+    of_version_1.shadow_texture = p.extensions.shadow_texture;
+    of_version_1.stencil_wrap = p.extensions.stencil_wrap;
+    of_version_1.two_sided_stencil = p.extensions.two_sided_stencil;
+    return p.extensions != of_version_1 || p.texel_bits != 0 || p.coverage_bits != 0 ||
+           p.color_planes != 1;
+}
+
+flatbuffers::Offset<gwt::ColorMap> to_file(flatbuffers::FlatBufferBuilder& out,
+                                           const ColorMap& map) {
+    return gwt::CreateColorMapDirect(out, file_enum<gwt::IndexPlanes>(map.planes),
+                                     std::uint8_t(map.bits), std::uint8_t(map.bits_in_r),
+                                     &map.entries);
+}
+
+ColorMap from_file(const gwt::ColorMap& stored) {
+    ColorMap map{.planes = our_enum<IndexPlanes>(stored.planes()),
+                 .bits = stored.bits(),
+                 .bits_in_r = stored.bits_in_r()};
+    if (stored.entries()) map.entries.assign(stored.entries()->begin(), stored.entries()->end());
+    check_color_map(map);
+    return map;
+}
+
 }  // namespace gw::inspect

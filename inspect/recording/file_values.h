@@ -8,6 +8,7 @@
 #include "gw/profile.h"
 #include "gw/state.h"
 #include "inspect/recording/calls.h"
+#include "inspect/shown/color_map.h"
 #include "recording_generated.h"
 
 #include <fmt/format.h>
@@ -79,6 +80,7 @@ TextureRef given_texture(const gwt::Texture& t, const std::string& name,
 flatbuffers::Offset<gwt::State> to_file(flatbuffers::FlatBufferBuilder& out, const State& state);
 /// Whether it has a member of version 2 that is not at its initial value.
 bool needs_version_2(const State& state);
+bool needs_version_2(const Profile& profile);
 /// Throws Error for an unknown enumerator.
 State from_file(const gwt::State& state);
 inline MakeSurface from_file(const gwt::MakeSurface& c) {
@@ -98,5 +100,10 @@ flatbuffers::Offset<gwt::CallTable> to_file(flatbuffers::FlatBufferBuilder& out,
 std::uint64_t decoded_bytes(const gwt::CallTable& table);
 /// Throws Error if it names what there is not.
 CallTable from_file(const gwt::CallTable& table, std::size_t commands);
+
+flatbuffers::Offset<gwt::ColorMap> to_file(flatbuffers::FlatBufferBuilder& out,
+                                           const ColorMap& map);
+/// Throws Error unless there are as many entries as indices.
+ColorMap from_file(const gwt::ColorMap& map);
 
 }  // namespace gw::inspect

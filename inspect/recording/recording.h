@@ -5,9 +5,11 @@
 #include "gw/command_list.h"
 #include "gw/profile.h"
 #include "inspect/recording/calls.h"
+#include "inspect/shown/color_map.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,6 +31,9 @@ struct Recording {
     std::vector<ParameterSet> sets;
     std::vector<CommandList> lists;  ///< as they were executed, one after the other
     std::vector<CallTable> calls;    ///< of lists[i]; fewer, or empty: unknown
+    /// How a screen shows the colours after lists[i]; none, or fewer: as after the list before, at
+    /// first as colours.
+    std::vector<std::optional<ColorMap>> color_maps;
 };
 
 /// The parameter set of a pass; "" if unknown.

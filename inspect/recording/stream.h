@@ -19,7 +19,8 @@ public:
     /// A new window. An open window of this name gets the new size, and with it a new machine.
     void open(const std::string& window, int width, int height);
     /// A list that the window's machine executed. It is on the disk when this returns.
-    void add(const std::string& window, CommandList list, CallTable calls = {});
+    void add(const std::string& window, CommandList list, CallTable calls = {},
+             std::optional<ColorMap> color_map = {});
     void close(const std::string& window);
     /// Without this the recording counts as cut short.
     void finish();

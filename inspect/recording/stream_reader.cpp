@@ -96,6 +96,7 @@ private:
         Recording& recording = stream_.windows[found->second].recording;
         std::ranges::move(part.recording.lists, std::back_inserter(recording.lists));
         std::ranges::move(part.recording.calls, std::back_inserter(recording.calls));
+        std::ranges::move(part.recording.color_maps, std::back_inserter(recording.color_maps));
         if (part.event == WindowEvent::Close) open_.erase(found);
     }
     void open(Part& part) {
@@ -107,6 +108,7 @@ private:
         stream_.windows.push_back({name, std::move(part.recording)});
         part.recording.lists = std::exchange(stream_.windows.back().recording.lists, {});
         part.recording.calls = std::exchange(stream_.windows.back().recording.calls, {});
+        part.recording.color_maps = std::exchange(stream_.windows.back().recording.color_maps, {});
     }
     void check(const WindowRecording& window) const {
         try {

@@ -45,11 +45,13 @@ void StreamWriter::open(const std::string& window, int width, int height) {
     windows_.insert(window);
 }
 
-void StreamWriter::add(const std::string& window, CommandList list, CallTable calls) {
+void StreamWriter::add(const std::string& window, CommandList list, CallTable calls,
+                       std::optional<ColorMap> color_map) {
     check_is_open(window);
     Part part{.window = window};
     part.recording.lists.push_back(std::move(list));
     part.recording.calls.push_back(std::move(calls));
+    part.recording.color_maps.push_back(std::move(color_map));
     write(part);
 }
 

@@ -3,6 +3,7 @@
 #include "gw/names.h"
 #include "gw/reference/make.h"
 #include "inspect/replay/following_observer.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/text/call_text.h"
 
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ namespace {
 class PixelObserver : public FollowingObserver {
 public:
     PixelObserver(const Recording& recording, int x, int y)
-        : FollowingObserver(recording), calls_(recording), x_(x), y_(y) {}
+        : FollowingObserver(recording), calls_(recording), maps_(recording), x_(x), y_(y) {}
 
     void fragment(const Fragment& f, Fate fate, const PixelValues& before,
                   const PixelValues& after) override {
@@ -61,6 +62,7 @@ private:
         e.draw = draw();
         e.before = before;
         e.after = after;
+        e.map = maps_.of(e.command);
         return e;
     }
 
@@ -77,6 +79,7 @@ private:
     }
 
     CallNames calls_;
+    ShownMaps maps_;
     int x_, y_;
     std::vector<DepthComparison> compared_;  ///< of one primitive of one command
     std::optional<std::size_t> compared_command_;
@@ -125,6 +128,11 @@ std::string change(const auto& before, const auto& after) {
     return before == after ? text(before) : text(before) + " > " + text(after);
 }
 
+/// A colour that changes, or the index that it is.
+std::string color_change(const PixelEvent& e, const Rgba& before, const Rgba& after) {
+    return e.map != nullptr ? index_change_text(*e.map, before, after) : change(before, after);
+}
+
 /// The event: a fragment's end, or the command.
 std::string outcome(const PixelEvent& e) {
     if (!e.fragment) return e.command_name;
@@ -159,10 +167,21 @@ nlohmann::ordered_json comparisons_json(const PixelEvent& e) {
 
 std::string optional_text(const auto& value) { return value ? std::to_string(*value) : "-"; }
 
-nlohmann::ordered_json values_json(const PixelValues& v, const Profile& profile) {
+nlohmann::ordered_json values_json(const PixelValues& v, const Profile& profile,
+                                   const ColorMap* map) {
     nlohmann::ordered_json json{
         {"color", v.color}, {"depth", v.depth}, {"stencil", v.stencil}, {"accum", v.accum}};
-    if (profile.color_planes == 2) json["back"] = v.back;
+    const auto add_index = [&](const std::string& before, const Rgba& color) {
+        if (map == nullptr) return;
+        const unsigned index = map->index_of(color);
+        json[before + "index"] = index;
+        json[before + "entry"] = map->entry(index);
+    };
+    add_index("", v.color);
+    if (profile.color_planes == 2) {
+        json["back"] = v.back;
+        add_index("back_", v.back);
+    }
     return json;
 }
 
@@ -172,20 +191,22 @@ nlohmann::ordered_json event_json(const PixelEvent& e, const Profile& profile) {
                                 {"command", e.command},
                                 {"command_name", e.command_name}};
     if (!e.call.empty()) json["call"] = e.call;
+    if (e.map != nullptr) json["index_planes"] = name_of(e.map->planes);
     if (e.draw) json["draw"] = *e.draw;
     if (e.fragment) {
         json["primitive"] = e.fragment->primitive;
         if (e.polygon) json["polygon"] = *e.polygon;
         json["front"] = e.fragment->front;
         json["color"] = e.fragment->color;
+        if (e.map != nullptr) json["index"] = e.map->index_of(e.fragment->color);
         json["depth"] = e.fragment->depth;
         if (e.fragment->coverage != 0) json["coverage"] = e.fragment->coverage;
         if (e.fragment->sample != 0) json["sample"] = e.fragment->sample;
         if (!e.comparisons.empty()) json["comparisons"] = comparisons_json(e);
         json["fate"] = name_of(e.fate);
     }
-    json["before"] = values_json(e.before, profile);
-    json["after"] = values_json(e.after, profile);
+    json["before"] = values_json(e.before, profile, e.map);
+    json["after"] = values_json(e.after, profile, e.map);
     return json;
 }
 
@@ -209,6 +230,8 @@ std::vector<PixelEvent> pixel_history(const Recording& recording, int x, int y,
                                       std::uint32_t surface) {
     PixelObserver observer(recording, x, y);
     observe(recording, observer, surface);
+    if (surface != 0)
+        for (PixelEvent& e : observer.events) e.map = nullptr;
     return observer.events;
 }
 
@@ -262,11 +285,11 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
         const auto& f = e.fragment;
         rows.push_back({e.pass_name, std::to_string(e.command), optional_text(e.draw),
                         f ? text(f->primitive) : "-", optional_text(e.polygon), outcome(e),
-                        f ? text(f->color) : "-", f ? text(f->depth) : "-",
-                        change(e.before.color, e.after.color),
+                        f ? e.map != nullptr ? index_text(*e.map, f->color) : text(f->color) : "-",
+                        f ? text(f->depth) : "-", color_change(e, e.before.color, e.after.color),
                         change(e.before.depth, e.after.depth),
                         change(e.before.stencil, e.after.stencil)});
-        if (back) rows.back().push_back(change(e.before.back, e.after.back));
+        if (back) rows.back().push_back(color_change(e, e.before.back, e.after.back));
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
         if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
         if (sampled) rows.back().push_back(f ? text(std::uint32_t(f->sample)) : "-");

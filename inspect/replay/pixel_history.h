@@ -32,6 +32,8 @@ struct PixelEvent {
     std::vector<std::uint32_t> compared_surfaces;
     Fate fate = Fate::Written;
     PixelValues before, after;
+    /// Of the recording, which must outlive it: the colours are indices. Null: they are not.
+    const ColorMap* map = nullptr;
 };
 
 /// The surfaces that the recording makes, each with the largest width, height and samples that it

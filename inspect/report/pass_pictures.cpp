@@ -37,8 +37,16 @@ constexpr PassPictures::Shown usual_planes[] = {
     {"back", Plane::Back},   {"accum", Plane::Accum}, {"polygons", {}, polygons_of}};
 constexpr PassPictures::Shown shown_identifiers{"identifiers", {}, colors_as_ids};
 
+/// As a screen shows it.
+image::Picture mapped_picture(const std::vector<Rgba>& colors, const Snapshot& s) {
+    return image::picture_of(inspect::through_map(colors, *s.map), s.planes.width, s.planes.height,
+                             8);
+}
+
 image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s,
                           const Profile& profile) {
+    if (s.map != nullptr && shown.plane == Plane::Color) return mapped_picture(s.planes.color, s);
+    if (s.map != nullptr && shown.plane == Plane::Back) return mapped_picture(s.planes.back, s);
     if (shown.plane) return image::plane_picture(s.planes, *shown.plane, profile);
     return image::id_colors(shown.ids(s), s.planes.width, s.planes.height, 0);
 }

@@ -5,6 +5,7 @@
 #include "gw/planes.h"
 #include "gw/profile.h"
 #include "inspect/report/report_folder.h"
+#include "inspect/shown/color_map.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -17,6 +18,8 @@ namespace gw::report {
 struct Snapshot {
     Planes planes;
     std::vector<std::uint32_t> polygons;
+    const inspect::ColorMap* map =
+        nullptr;  ///< through which a screen shows the colours; null: none
 };
 
 class PassPictures {

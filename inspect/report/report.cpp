@@ -5,6 +5,7 @@
 #include "gw/reference/make.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/report/embedded.h"
 #include "inspect/report/pass_observer.h"
 #include "inspect/report/pass_pictures.h"
@@ -67,6 +68,7 @@ public:
     Replay(const inspect::Recording& recording, ReportFolder& folder, bool identifiers)
         : recording_(recording),
           ranges_(inspect::pass_ranges(recording)),
+          maps_(recording),
           folder_(folder),
           observer_(recording, identifiers),
           machine_(
@@ -78,7 +80,7 @@ public:
                                const std::vector<bool>& identifiers,
                                const std::function<void(const std::string&)>& progress) {
         player_.play_to(ranges_[shown.first].first);
-        PassPictures pictures(folder_, recording_.profile, snapshot());
+        PassPictures pictures(folder_, recording_.profile, snapshot(shown.first));
         auto all = nlohmann::ordered_json::array();
         for (std::size_t i = shown.first; i <= shown.last; ++i) {
             progress(fmt::format("pass {} of {}-{}", i, shown.first, shown.last));
@@ -86,7 +88,7 @@ public:
             player_.play_to(ranges_[i].end);
             if (history_) history_->flush();
             if (kept && i == kept->last) end_history();
-            all.push_back(pictures.add(i, snapshot(), identifiers[i]));
+            all.push_back(pictures.add(i, snapshot(i), identifiers[i]));
         }
         with_small_ = pictures.with_small();
         return all;
@@ -95,7 +97,10 @@ public:
     bool with_small() const { return with_small_; }
 
 private:
-    Snapshot snapshot() { return {machine_->planes(), observer_.polygons().ids()}; }
+    /// As a screen shows it at the end of the pass.
+    Snapshot snapshot(std::size_t pass) {
+        return {machine_->planes(), observer_.polygons().ids(), maps_.of(ranges_[pass].end - 1)};
+    }
 
     void begin_history() {
         folder_.make_folder("history");
@@ -110,6 +115,7 @@ private:
 
     const inspect::Recording& recording_;
     std::vector<inspect::PassRange> ranges_;
+    inspect::ShownMaps maps_;
     ReportFolder& folder_;
     PassObserver observer_;
     std::unique_ptr<Machine> machine_;

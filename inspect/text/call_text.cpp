@@ -34,9 +34,10 @@ std::string words_before(const CallTable& table, const Call& call) {
     std::string words;
     for (std::uint32_t at = call.list; at != no_call; at = table.lists[at].caller.list) {
         const auto& [name, caller] = table.lists[at];
-        words =
-            fmt::format("call {} {}{}, list {}: {}", caller.number,
-                        table.functions[caller.function], source_words(table, caller), name, words);
+        const std::string& function = table.functions[caller.function];
+        const char* const kind = function == "callobj" ? "object" : "list";  // IRIS GL's; OpenGL's
+        words = fmt::format("call {} {}{}, {} {}: {}", caller.number, function,
+                            source_words(table, caller), kind, name, words);
     }
     return escape_controls(words) + "call ";
 }

@@ -1,4 +1,5 @@
 // Objects: makeobj to objreplace. Tags name places between their calls.
+#include "irisgl/calls/run.h"
 #include "irisgl/calls/shared.h"
 #include "irisgl/state/program.h"
 
@@ -81,8 +82,12 @@ void callobj(Object n) {
         return warn("callobj: object " + std::to_string(n) + " calls itself; it is ignored");
     ++objects().depth;
     objects().is_pruned = false;
-    for (std::size_t i = 0; i < found->second.calls.size() && !objects().is_pruned; ++i)
-        found->second.calls[i]();
+    ObjectScope scope(n);
+    for (std::size_t i = 0; i < found->second.calls.size() && !objects().is_pruned; ++i) {
+        const Call& call = found->second.calls[i];
+        scope.at(i, call.function);
+        call.carry_out();
+    }
     objects().is_pruned = false;
     objects().called.erase(n);
     --objects().depth;

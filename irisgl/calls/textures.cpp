@@ -29,7 +29,7 @@ void read_texels(TextureDefinition& t, Words image) {
     t.rgba.clear();
     for (long y = 0; y < t.height; ++y)
         for (long x = 0; x < t.width; ++x) {
-            std::uint32_t v[4];
+            std::uint32_t v[4] = {};
             for (int c = 0; c < t.components; ++c)
                 v[c] = component(image, row_words, x, y, t.components, c);
             // 4: ABGR in a word; 3: BGR; 2: intensity and alpha; 1: intensity.

@@ -163,6 +163,7 @@ def body(e, is_int):
         returned = "" if e.result == "void" else "return "
         return f"    {returned}left_out(\"{e.name}\", \"{e.reason}\");"
     before, after, arguments = [], [], e.arguments
+    before.append(f"    const CallScope scope(\"{e.name}\", __builtin_return_address(0));")
     for p in e.parameters:
         if p.kind == "out":
             t = "int" if is_int and p.is_long() else p.type

@@ -9,7 +9,10 @@
 
 namespace gw::irisgl {
 
-using Call = std::function<void()>;
+struct Call {
+    const char* function;  ///< never dies
+    std::function<void()> carry_out;
+};
 
 struct ObjectList {
     std::vector<Call> calls;

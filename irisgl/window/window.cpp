@@ -13,12 +13,19 @@ namespace gw::irisgl {
 
 class AsidePlanes : public gl::Drawable {
 public:
-    AsidePlanes(Window& of, const char* word)
-        : gl::Drawable(of.profile(), of.width(), of.height(), of.name() + word), of_(of) {}
+    /// `which`: overlay, underlay, pop-up.
+    AsidePlanes(Window& of, std::size_t which)
+        : gl::Drawable(of.profile(), of.width(), of.height(), of.name() + words[which]),
+          of_(of),
+          which_(which) {}
     const Planes& shown() override { return of_.shown(); }
+    gl::ShownIndices shown_indices() const override;
 
 private:
+    static constexpr std::array words{" overlay", " underlay", " pop-up"};
+
     Window& of_;
+    std::size_t which_;
 };
 
 void PopupPlanes::fit(int w, int h) {
@@ -47,6 +54,11 @@ Window::~Window() {
     end_background();
 }
 
+std::uint32_t Window::count_call() {
+    if (std::exchange(call_frame_, frame()) != frame()) next_call_ = 0;
+    return next_call_++;
+}
+
 void Window::make_current() {
     program().current = this;
     select_planes();
@@ -57,8 +69,7 @@ void Window::select_planes() {
     gl::Drawable* to = this;
     if (mode == OVERDRAW || mode == UNDERDRAW || mode == PUPDRAW) {
         const std::size_t which = mode == UNDERDRAW ? 1 : mode == PUPDRAW ? 2 : 0;
-        constexpr std::array words{" overlay", " underlay", " pop-up"};
-        if (!aside_[which]) aside_[which] = std::make_unique<AsidePlanes>(*this, words[which]);
+        if (!aside_[which]) aside_[which] = std::make_unique<AsidePlanes>(*this, which);
         to = aside_[which].get();
     }
     gl::make_current(&context, to);
@@ -117,6 +128,24 @@ std::uint32_t with_gamma(const ColorMap& map, std::uint32_t c) {
 
 }  // namespace
 
+gl::ShownIndices Window::shown_indices() const {
+    if (state.rgb_mode) return {};
+    const ColorMap& map = program().colors;
+    gl::ShownIndices out{.bits = index_bits, .bits_in_r = std::min(profile().color_bits, 8)};
+    for (unsigned i = 0; i <= index_mask; ++i)
+        out.entries.push_back(with_gamma(map, mapped(map, i)));
+    return out;
+}
+
+gl::ShownIndices AsidePlanes::shown_indices() const {
+    const ColorMap& map = program().colors;
+    gl::ShownIndices out{.planes = static_cast<gl::IndexPlanes>(which_ + 1),
+                         .bits = of_.aside_index_bits(which_)};
+    for (unsigned i = 0; i < 1u << out.bits; ++i)
+        out.entries.push_back(with_gamma(map, map.aside[which_][i]));
+    return out;
+}
+
 void Window::compose(std::span<std::uint32_t> pixels) {
     const ColorMap& map = program().colors;
     const IndexColor code{std::min(profile().color_bits, 8)};
@@ -127,7 +156,7 @@ void Window::compose(std::span<std::uint32_t> pixels) {
         }
     for (const std::size_t which : {1u, 0u, 2u}) {
         if (!aside_[which]) continue;
-        const unsigned mask = (1u << std::max(aside_bits_[which], 2)) - 1;
+        const unsigned mask = (1u << aside_index_bits(which)) - 1;
         const Planes& planes = aside_[which]->planes();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const unsigned index = planes.color[i][0] & mask;

@@ -7,6 +7,7 @@
 #include "irisgl/state/state.h"
 #include "irisgl/window/host_window.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -44,6 +45,9 @@ public:
     State state;
     PopupPlanes popup;
 
+    /// The number of the program's call that begins, from 0 in each frame.
+    std::uint32_t count_call();
+
     void make_current();
     /// Calls of OpenGL draw to the planes of the draw mode from here on.
     void select_planes();
@@ -56,10 +60,13 @@ public:
 
     void present() override;
     const Planes& shown() override;
+    gl::ShownIndices shown_indices() const override;
 
     bool has_overlay() const { return aside_[0] != nullptr; }
     int aside_bits(int which) const { return aside_bits_[std::size_t(which)]; }
     void set_aside_bits(int which, long bits);
+    /// Of an index that is shown.
+    int aside_index_bits(std::size_t which) const { return std::max(aside_bits_[which], 2); }
 
 private:
     void compose(std::span<std::uint32_t> pixels);
@@ -69,6 +76,8 @@ private:
     std::array<std::unique_ptr<AsidePlanes>, 3> aside_;  ///< overlay, underlay, pop-up
     std::array<int, 3> aside_bits_{2, 0, 2};
     std::uint64_t shown_map_ = 0;
+    std::uint64_t call_frame_ = 0;
+    std::uint32_t next_call_ = 0;  ///< of call_frame_
     Planes shown_;
     std::vector<std::uint32_t> pixels_;
 };

@@ -1,4 +1,5 @@
 // gw record, replay, pixel, maps: a picture's recording gives that picture in another process.
+#include "inspect/recording/recording.h"
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 #include "tests/apps/support/examples.h"
@@ -75,6 +76,41 @@ TEST_F(Recordings, AStreamThatIsCutShortIsUsedWithAWarning) {
     damaged[bytes.size() / 2] = static_cast<char>(damaged[bytes.size() / 2] ^ 1);
     write("damaged.gwt", damaged);
     expect_refused(1, {"replay", "damaged.gwt"}, {"damaged.gwt", "part ", " is damaged"});
+}
+
+// Index 258 has 2 in R and 1 in G.
+TEST_F(Recordings, OfIndicesReplayThroughTheirMap) {
+    inspect::Recording r;
+    r.width = 2;
+    r.height = 1;
+    r.lists.resize(1);
+    r.lists[0].add(BeginPass{"frame 0"});
+    r.lists[0].add(WritePixels{.rect = {0, 0, 2, 1}, .colors = {{37, 0, 0, 255}, {2, 1, 0, 255}}});
+    inspect::ColorMap map{.bits = 12, .entries = std::vector<std::uint32_t>(4096)};
+    map.entries[37] = 200 | 100 << 8 | 50 << 16;
+    map.entries[258] = 1 | 2 << 8 | 3 << 16;
+    r.color_maps = {map};
+    const auto bytes = inspect::encode(r);
+    write("i.gwt", {bytes.begin(), bytes.end()});
+    const auto shown = [&](std::vector<std::string> more, int x) {
+        more.insert(more.begin(), {"replay", "i.gwt", "-o", "i.png"});
+        EXPECT_EQ(gw(more).code, 0);
+        std::vector<int> bytes_of_pixel;
+        for (const float value : read_pixels(in("i.png")).at(x, 0))
+            bytes_of_pixel.push_back(int(value * 255 + 0.5f));
+        return bytes_of_pixel;
+    };
+    EXPECT_EQ(shown({}, 0), (std::vector<int>{200, 100, 50}));
+    EXPECT_EQ(shown({}, 1), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(shown({"--indices"}, 0), (std::vector<int>{37, 0, 0}));
+    EXPECT_EQ(shown({"--indices"}, 1), (std::vector<int>{2, 1, 0}));
+    EXPECT_NE(
+        gw({"pixel", "i.gwt", "1", "0"}).out.find("index 0 > 258 through map entry 258 (1 2 3)"),
+        std::string::npos);
+    ASSERT_EQ(gw({"inspect", "i.gwt", "-o", "page"}).code, 0);
+    ASSERT_EQ(gw({"replay", "i.gwt", "-o", "i.png"}).code, 0);
+    EXPECT_EQ(read_pixels(in("page/pictures/0000_color.png")).at(1, 0),
+              read_pixels(in("i.png")).at(1, 0));
 }
 
 TEST_F(Recordings, HoldHiddenSurfaceAlgorithms) {
