@@ -104,7 +104,9 @@ void setpattern(short index) {
     apply_pattern();
 }
 
-void glcompat(long, long) {}
+void glcompat(long mode, long value) {
+    if (mode == GLC_OLDPOLYGON) program().are_polygons_old = value != 0;
+}
 long getlstyle() { return state().now.linestyle; }
 long getlwidth() { return long(state().now.line_width); }
 long getlsrepeat() { return state().now.linestyle_repeat; }

@@ -230,7 +230,9 @@ void czclear(unsigned long color, long depth) {
     const bool is_farthest = depth == 0xFFFFFFFFL;  // all bits: programs wrote it for that
     glClearDepth(is_farthest ? 1 : depth_of(depth));
     glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // the write mask does not hold
     clear_planes(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    apply_color_mask();
     apply_depth();
 }
 

@@ -30,11 +30,22 @@ dvec3 position() {
     return {p.x, p.y, p.z};
 }
 
-void draw_points(Shape shape, std::span<const dvec4> points) {
+std::vector<Vertex> vertices_at(std::span<const dvec4> points) {
     std::vector<Vertex> vertices;
     for (const dvec4& p : points) vertices.push_back(vertex_here(p.x, p.y, p.z, p.w));
+    return vertices;
+}
+
+/// A polygon whose corners are those of pixels.
+void draw_whole_pixels(std::span<const dvec4> corners) {
     assembly().swaps.clear();
-    draw_shape(shape, vertices);
+    draw_shape(Shape::Polygon, vertices_at(corners));
+}
+
+void draw_points(Shape shape, std::span<const dvec4> points) {
+    const std::vector<Vertex> vertices = vertices_at(points);
+    assembly().swaps.clear();
+    shape == Shape::Polygon ? draw_old_polygon(vertices) : draw_shape(shape, vertices);
 }
 
 std::vector<dvec4> points_of(long n, Values values, int dimensions) {
@@ -120,7 +131,7 @@ void relative_polygon_draw(double x, double y, double z) {
 
 void polygon_close() {
     assembly().swaps.clear();
-    draw_shape(Shape::Polygon, assembly().polygon);
+    draw_old_polygon(assembly().polygon);
     assembly().polygon.clear();
 }
 
@@ -139,13 +150,14 @@ void shaded_polygon(long n, Values points, int dimensions, Values indices) {
         vertices.back().index = double(indices[i]);
     }
     assembly().swaps.clear();
-    draw_shape(Shape::Polygon, vertices);
+    draw_old_polygon(vertices);
 }
 
 void rectangle(double x1, double y1, double x2, double y2, bool filled) {
     std::vector<dvec4> corners{{x1, y1, 0, 1}, {x2, y1, 0, 1}, {x2, y2, 0, 1}, {x1, y2, 0, 1}};
     set_position(x1, y1, 0);
-    if (filled && !gives_feedback()) own_edge_pixels(corners);
+    const bool owns_edges = filled && program().are_polygons_old && !gives_feedback();
+    if (owns_edges && own_edge_pixels(corners)) return draw_whole_pixels(corners);
     draw_points(filled ? Shape::Polygon : Shape::ClosedLine, corners);
 }
 

@@ -27,7 +27,6 @@ constexpr GLenum logic_ops[] = {GL_CLEAR,         GL_AND,         GL_AND_REVERSE
                                 GL_AND_INVERTED,  GL_NOOP,        GL_XOR,         GL_OR,
                                 GL_NOR,           GL_EQUIV,       GL_INVERT,      GL_OR_REVERSE,
                                 GL_COPY_INVERTED, GL_OR_INVERTED, GL_NAND,        GL_SET};
-constexpr GLenum stencil_ops[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
 
 }  // namespace
 
@@ -42,6 +41,7 @@ void blendfunction(long source, long destination) {
         return warn("blendfunction: BF_MIN_SA_MDA is a factor of the source; it is ignored");
     state().blend_source = source;
     state().blend_destination = destination;
+    glDisable(GL_COLOR_LOGIC_OP);  // the later of the two holds
     apply_blending();
 }
 void blendcolor(float r, float g, float b, float a) { glBlendColor(r, g, b, a); }
@@ -54,6 +54,11 @@ void afunction(long ref, long function) {
 
 void logicop(long op) {
     if (!is_word("logicop", op, LO_ONE)) return;
+    if (op != LO_SRC) {
+        state().blend_source = BF_ONE;
+        state().blend_destination = BF_ZERO;
+        apply_blending();
+    }
     (op == LO_SRC ? glDisable : glEnable)(GL_COLOR_LOGIC_OP);
     glLogicOp(logic_ops[op]);
 }
@@ -77,7 +82,8 @@ void stencil(long enable, unsigned long ref, long function, unsigned long mask, 
         !is_word("stencil", pass, ST_INVERT) || !is_word("stencil", zpass, ST_INVERT))
         return;
     glStencilFunc(GL_NEVER + GLenum(function), GLint(ref), GLuint(mask));
-    glStencilOp(stencil_ops[fail], stencil_ops[pass], stencil_ops[zpass]);
+    state().stencil_operations = {fail, pass, zpass};
+    apply_depth();
 }
 void sclear(unsigned long value) {
     glClearStencil(GLint(value & 0xFF));

@@ -159,7 +159,7 @@ void lmbind(short target, short index) {
     const bool light = target >= LIGHT0 && target <= LIGHT7;
     if (!light && target != MATERIAL && target != BACKMATERIAL && target != LMODEL)
         return warn("lmbind: target " + std::to_string(target) + " is not known; it is ignored");
-    if (!is_defined(target, index)) return;  // "if it is not defined, the call has no effect"
+    if (!is_defined(target, index)) index = 0;
     if (light) return bind_light(target - LIGHT0, index);
     if (target == MATERIAL) b.material = index;
     if (target == BACKMATERIAL) b.back_material = index;

@@ -35,7 +35,10 @@ void cmode() { change(state().rgb_mode, false); }
 void rgb_mode() { change(state().rgb_mode, true); }
 void singlebuffer() { change(state().double_buffered, false); }
 void doublebuffer() { change(state().double_buffered, true); }
-void gconfig() {}
+void gconfig() {
+    state().now.planes[plane_of(NORMALDRAW)] = {};
+    apply_color_mask();
+}
 
 long getdisplaymode() {
     const State& s = state();
@@ -76,7 +79,7 @@ void backbuffer(Boolean on) {
 }
 long getbuffer() {
     const State& s = state();
-    if (!s.double_buffered) return FRNTBUFFER;
+    if (!s.double_buffered) return 0;
     return (s.now.back ? BCKBUFFER : 0) | (s.now.front ? FRNTBUFFER : 0);
 }
 
@@ -134,8 +137,8 @@ long getgdesc(long what) {
                                               {GD_BITS_NORM_SNG_CMODE, index_bits},
                                               {GD_BITS_NORM_DBL_CMODE, index_bits},
                                               {GD_BITS_NORM_ZBUFFER, 24},
-                                              {GD_BITS_OVER_SNG_CMODE, 2},
-                                              {GD_BITS_UNDR_SNG_CMODE, 2},
+                                              {GD_BITS_OVER_SNG_CMODE, 8},
+                                              {GD_BITS_UNDR_SNG_CMODE, 8},
                                               {GD_BITS_PUP_SNG_CMODE, 2},
                                               {GD_BITS_NORM_SNG_ALPHA, 8},
                                               {GD_BITS_NORM_DBL_ALPHA, 8},

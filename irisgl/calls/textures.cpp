@@ -8,6 +8,7 @@
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace gw::irisgl::calls {
@@ -78,6 +79,13 @@ void upload(const TextureDefinition& t) {
                  GL_UNSIGNED_BYTE, t.rgba.data());
 }
 
+/// Textures are drawn if both a texture and an environment are bound.
+void use_texture() {
+    State& s = state();
+    s.textured = s.bound_texture != 0 && s.bound_environment != 0;
+    (s.textured ? glEnable : glDisable)(GL_TEXTURE_2D);
+}
+
 constexpr GLenum axes[] = {GL_S, GL_T, GL_R, GL_Q};
 
 }  // namespace
@@ -102,16 +110,45 @@ void texdef2d(long index, long components, long width, long height, Words image,
 
 void texbind(long target, long index) {
     if (target != TX_TEXTURE_0) return warn("texbind: expected TX_TEXTURE_0; it is ignored");
-    state().textured = index != 0;
-    if (index == 0) return glDisable(GL_TEXTURE_2D);
     const auto found = program().textures.find(index);
-    if (found == program().textures.end()) {
-        state().textured = false;
-        return warn("texbind: texture " + std::to_string(index) + " is not defined; it is ignored");
+    const bool is_defined = found != program().textures.end();
+    if (!is_defined && index != 0)
+        warn("texbind: texture " + std::to_string(index) + " is not defined; none is bound");
+    state().bound_texture = is_defined ? index : 0;
+    if (is_defined) {
+        glBindTexture(GL_TEXTURE_2D, texture_names + GLuint(index));
+        upload(found->second);
     }
-    glBindTexture(GL_TEXTURE_2D, texture_names + GLuint(index));
-    upload(found->second);
-    glEnable(GL_TEXTURE_2D);
+    use_texture();
+}
+
+// Rows of the part begin at whole words, as those of a whole texture.
+void subtexload(long target, long index, float left, float right, float bottom, float top, long n,
+                Words texels, unsigned long) {
+    const auto found = program().textures.find(index);
+    if (target != TX_TEXTURE_0 || found == program().textures.end())
+        return warn("subtexload: texture " + std::to_string(index) +
+                    "; expected TX_TEXTURE_0 and a defined texture; it is ignored");
+    TextureDefinition& t = found->second;
+    const auto texel = [](float at, long size) { return std::lround(at * float(size)); };
+    const long x = texel(left, t.width), y = texel(bottom, t.height);
+    TextureDefinition part{.components = t.components,
+                           .width = texel(right, t.width) - x,
+                           .height = texel(top, t.height) - y};
+    const long words = (part.width * part.components + 3) / 4 * part.height;
+    const bool fits = x >= 0 && y >= 0 && part.width > 0 && part.height > 0 &&
+                      x + part.width <= t.width && y + part.height <= t.height;
+    if (!fits || n < words || !texels.is_given())
+        return warn("subtexload: texels " + std::to_string(x) + " to " +
+                    std::to_string(x + part.width - 1) + ", " + std::to_string(y) + " to " +
+                    std::to_string(y + part.height - 1) + " of " + std::to_string(n) +
+                    " words; expected a part of the texture, and " + std::to_string(words) +
+                    " words; it is ignored");
+    read_texels(part, texels);
+    for (long row = 0; row < part.height; ++row)
+        std::copy_n(part.rgba.begin() + 4 * row * part.width, 4 * part.width,
+                    t.rgba.begin() + 4 * ((y + row) * t.width + x));
+    if (state().bound_texture == index) upload(t);
 }
 
 void tevdef(long index, long n, Values props) {
@@ -120,8 +157,15 @@ void tevdef(long index, long n, Values props) {
 }
 
 void tevbind(long, long index) {
+    const auto found = program().environments.find(index);
+    const bool is_defined = index != 0 && found != program().environments.end();
+    if (!is_defined && index != 0)
+        warn("tevbind: environment " + std::to_string(index) + " is not defined; none is bound");
+    state().bound_environment = is_defined ? index : 0;
+    use_texture();
+    if (!is_defined) return;
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-    const auto& props = program().environments[index];
+    const auto& props = found->second;
     for (std::size_t i = 0; i < props.size() && props[i] != 0; ++i) {
         const int word = int(props[i]);
         if (word == TV_DECAL) glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_DECAL);

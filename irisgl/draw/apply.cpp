@@ -101,9 +101,21 @@ void apply_polygons() {
     glShadeModel(s.now.shade_model == FLAT ? GL_FLAT : GL_SMOOTH);
 }
 
+namespace {
+
+constexpr GLenum stencil_ops[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR, GL_INVERT};
+
+}  // namespace
+
 void apply_depth() {
     const State& s = state();
-    set(GL_DEPTH_TEST, s.depth_test && !s.compares_color && s.draw_mode == NORMALDRAW);
+    const bool tests = s.depth_test && !s.compares_color && s.draw_mode == NORMALDRAW;
+    set(GL_DEPTH_TEST, tests);
+    // Without the Z-buffer, pass is what happens if the stencil's test passes.
+    const auto operation = [&](std::size_t i) {
+        return stencil_ops[std::size_t(s.stencil_operations[i])];
+    };
+    glStencilOp(operation(0), operation(1), operation(tests ? 2 : 1));
     glDepthFunc(GL_NEVER + GLenum(s.depth_function));
     glDepthMask(s.depth_write ? GL_TRUE : GL_FALSE);
     glDepthRange(depth_of(s.near), depth_of(s.far));

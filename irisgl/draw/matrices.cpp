@@ -61,20 +61,20 @@ dvec4 object_from_clip(const dvec4& clip) {
 
 }  // namespace
 
-void own_edge_pixels(std::vector<dvec4>& corners) {
+bool own_edge_pixels(std::vector<dvec4>& corners) {
     const Bounds& view = state().viewport;
     std::array<dvec4, 4> clip;
     std::array<dvec2, 4> at;
     for (std::size_t i = 0; i < 4; ++i) {
         clip[i] = clip_from_object(corners[i]);
-        if (!(clip[i].w > 0)) return;
+        if (!(clip[i].w > 0)) return false;
         at[i] = {(clip[i].x / clip[i].w + 1) / 2 * view.width(),
                  (clip[i].y / clip[i].w + 1) / 2 * view.height()};
     }
     const auto same = [](double a, double b) { return std::abs(a - b) < 1e-3; };
     const bool upright = same(at[0].y, at[1].y) && same(at[1].x, at[2].x) && same(at[2].y, at[3].y);
     const bool turned = same(at[0].x, at[1].x) && same(at[1].y, at[2].y) && same(at[2].x, at[3].x);
-    if (!upright && !turned) return;
+    if (!upright && !turned) return false;
     dvec2 low = at[0], high = at[0];
     for (const dvec2& p : at) {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -89,6 +89,7 @@ void own_edge_pixels(std::vector<dvec4>& corners) {
         clip[i].y = (y / view.height() * 2 - 1) * clip[i].w;
     }
     for (std::size_t i = 0; i < 4; ++i) corners[i] = object_from_clip(clip[i]);
+    return true;
 }
 
 double depth_of(long z) {

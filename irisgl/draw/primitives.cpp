@@ -343,6 +343,10 @@ void draw_with_state(Shape shape, std::span<const Vertex> vertices, const Bounds
 void draw_shape(Shape shape, std::span<const Vertex> given) {
     if (given.empty()) return;
     pass(state().double_buffered ? parts_of_unshown_primitive : parts_of_primitive);
+    draw_part(shape, given);
+}
+
+void draw_part(Shape shape, std::span<const Vertex> given) {
     std::vector<Vertex> vertices(given.begin(), given.end());
     const State& s = state();
     if (shape == Shape::Mesh && !assembly().swaps.empty()) {

@@ -37,12 +37,16 @@ Assembly& assembly();
 /// The current values at a place.
 Vertex vertex_here(double x, double y, double z, double w = 1);
 void draw_shape(Shape shape, std::span<const Vertex> vertices);
+/// The same without counting as a part of a frame.
+void draw_part(Shape shape, std::span<const Vertex> vertices);
+/// A polygon of a command older than bgnpolygon: it owns the pixels of its edges too.
+void draw_old_polygon(std::span<const Vertex> vertices);
 /// A rectangle of whole pixels of the window, both ends included, in the current colour, at a depth of
 /// -1 .. 1.
 void fill_pixels(const Bounds& pixels, double depth = 0);
 /// If the rectangle's edges are rows and columns of pixels on the screen, moves its corners half a pixel
-/// out: IRIS GL's rectangles own the pixels of all their edges.
-void own_edge_pixels(std::vector<dvec4>& corners);
+/// out: IRIS GL's rectangles own the pixels of all their edges. Returns whether they are.
+bool own_edge_pixels(std::vector<dvec4>& corners);
 /// The pixels around vertices; of the whole window if one is behind the eye.
 Bounds pixels_around(std::span<const Vertex> vertices);
 /// scrbox: these pixels are drawn to.

@@ -129,6 +129,8 @@ struct Program {
     std::size_t cursor_type = 0;  ///< curstype
     short cursor = 0;
     bool is_cursor_on = true;
+    /// glcompat: polygons but those of bgnpolygon, bgntmesh and bgnqstrip own the pixels of their edges.
+    bool are_polygons_old = true;
 };
 
 /// The process' one. Never destroyed: exit handlers may draw.

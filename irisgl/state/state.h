@@ -110,9 +110,12 @@ struct State {
     long blend_source = 1, blend_destination = 0;  ///< BF_ONE, BF_ZERO
     long near = z_min, far = z_max;
     bool backface = false, frontface = false, concave = false, line_backup = false,
-         line_reset = true, subpixel = false, draws_depth = false, textured = false,
-         compares_color = false;  ///< zsource(ZSRC_COLOR)
-    long polygon_mode = 1;        ///< PYM_FILL
+         line_reset = true, subpixel = false, draws_depth = false,
+         textured = false,                          ///< texture and environment are bound
+        compares_color = false;                     ///< zsource(ZSRC_COLOR)
+    long bound_texture = 0, bound_environment = 0;  ///< bound; 0: none
+    std::array<long, 3> stencil_operations{};       ///< fail, pass, zpass: ST_KEEP
+    long polygon_mode = 1;                          ///< PYM_FILL
     LineSmoothing smooth;
     DepthCue cue;
     Pixels pixels;
