@@ -5,6 +5,8 @@
 
 #include "generated/irisgl/calls.h"
 
+#include "irisgl/include/gl/glws.h"
+
 #include <GL/gl.h>
 
 #include <algorithm>
@@ -17,6 +19,30 @@ void nmode(long) {}  // normals always get the length 1
 void displacepolygon(float scale) {
     (scale != 0 ? glEnable : glDisable)(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(scale, 0);
+}
+
+namespace {
+
+void say_own_windows_only(const char* function) {
+    warn(
+        std::string(function) +
+        " is not offered: programs draw into windows that winopen opens; it answers with an error");
+}
+
+}  // namespace
+
+void* GLXgetconfig(void*, long, void*) {
+    say_own_windows_only("GLXgetconfig");
+    return nullptr;
+}
+long GLXlink(void*, void*) {
+    say_own_windows_only("GLXlink");
+    return GLWS_NOWINDOWCONFIG;
+}
+long GLXunlink(void*, unsigned long) { return GLWS_NOWINDOW; }
+long GLXwinset(void*, unsigned long) {
+    say_own_windows_only("GLXwinset");
+    return GLWS_NOWINDOW;
 }
 
 void scrbox(long mode) {

@@ -183,7 +183,7 @@ def body(e, is_int):
     call = f"{run}(\"{e.name}\", [{captured}] {{ return calls::{e.call}({arguments}); }});"
     if e.result == "void":
         return "\n".join([*before, "    " + call, *after])
-    return "\n".join([*before, f"    const {e.result} result = {call}", *after,
+    return "\n".join([*before, f"    const auto result = {call}", *after,
                       "    return result;"])
 
 

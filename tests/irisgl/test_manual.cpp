@@ -1,45 +1,10 @@
-// Rules of the reference manual that programs rely on, chapter by chapter.
-#include "tests/irisgl/support.h"
+// Rules of the reference manual that programs rely on: drawing, colours, depth, pixels, picking, curves.
+#include "tests/irisgl/manual.h"
 
-#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace gw::irisgl {
-namespace {
-
-class IrisGlManual : public IrisGl {
-protected:
-    void SetUp() override {
-        IrisGl::SetUp();
-        mmode(MSINGLE);
-        ortho2(-0.5f, 15.5f, -0.5f, 15.5f);
-    }
-    void TearDown() override {
-        glcompat(GLC_OLDPOLYGON, 1);
-        IrisGl::TearDown();
-    }
-    static void rgb(std::uint32_t background = 0) {
-        RGBmode();
-        gconfig();
-        cpack(background);
-        clear();
-    }
-    /// A square of 8 x 8 pixels from (4, 4) on, by bgnpolygon, with texture coordinates.
-    static void square(float z = 0) {
-        const float corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-        bgnpolygon();
-        for (const auto& c : corners) {
-            float t[2] = {c[0], c[1]}, v[3] = {4 + 8 * c[0], 4 + 8 * c[1], z};
-            t2f(t);
-            v3f(v);
-        }
-        endpolygon();
-    }
-};
-
-constexpr std::uint32_t red = 0x0000FF, green = 0x00FF00, blue = 0xFF0000;
-
-}  // namespace
 
 // Drawing
 
@@ -224,142 +189,101 @@ TEST_F(IrisGlManual, TheZBufferIsOffInTheWindowIfItIsInTheOverlay) {
     EXPECT_EQ(shown(7, 7), green);
 }
 
-// Lighting
+// Buffers
 
-TEST_F(IrisGlManual, WhatIsNotDefinedBindsNothing) {
+TEST_F(IrisGlManual, BothBuffersAreDrawnToIfBothAreOn) {
+    doublebuffer();
     rgb();
-    mmode(MVIEWING);
-    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -1, 1);
-    float material[] = {DIFFUSE, 0, 0, 1, LMNULL}, none[] = {LMNULL};
-    lmdef(DEFMATERIAL, 2049, 5, material);
-    lmdef(DEFLIGHT, 6, 1, none);
-    lmdef(DEFLMODEL, 6, 1, none);
-    lmbind(MATERIAL, 2049);
-    lmbind(LIGHT0, 6);
-    lmbind(LMODEL, 6);
-    const auto drawn = [] {
-        cpack(0xFF0000FF);
-        float up[3] = {0, 0, 1};
-        n3f(up);
-        square();
-        return shown(7, 7);
-    };
-    EXPECT_GT(drawn() >> 16, 200u) << "lit: blue";
-    lmbind(MATERIAL, 999);
-    EXPECT_EQ(drawn(), red) << "not lit";
+    swapbuffers();
+    clear();
+    frontbuffer(TRUE);
+    cpack(0xFF00FFFF);
+    rectfi(2, 2, 5, 5);
+    frontbuffer(FALSE);
+    for (const long source : {SRC_FRONT, SRC_BACK}) {
+        unsigned long pixel = 0;
+        readsource(source);
+        lrectread(3, 3, 3, 3, &pixel);
+        EXPECT_EQ(pixel & 0xFFFFFF, 0x00FFFFu) << source;
+    }
+    readsource(SRC_AUTO);
 }
 
-TEST_F(IrisGlManual, ShininessZeroTurnsHighlightsOff) {
-    rgb();
-    mmode(MVIEWING);
-    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -1, 1);
-    float material[] = {AMBIENT,  0, 0, 0, DIFFUSE,   0, 0,     0,
-                        SPECULAR, 1, 1, 1, SHININESS, 0, LMNULL};
-    float none[] = {LMNULL};
-    lmdef(DEFMATERIAL, 3, 15, material);
-    lmdef(DEFLIGHT, 3, 1, none);
-    lmdef(DEFLMODEL, 3, 1, none);
-    lmbind(MATERIAL, 3);
-    lmbind(LIGHT0, 3);
-    lmbind(LMODEL, 3);
-    float up[3] = {0, 0, 1};
-    n3f(up);
-    square();
-    EXPECT_EQ(shown(7, 7), 0u);
-    lmbind(MATERIAL, 0);
+// Pixels
+
+TEST_F(IrisGlManual, AnIndexIsReadAtTheCharacterPosition) {
+    mapcolor(9, 10, 200, 30);
+    color(9);
+    clear();
+    cmov2i(5, 5);
+    Colorindex index = 0;
+    readpixels(1, &index);
+    EXPECT_EQ(index, 9);
 }
 
-// Textures
-
-TEST_F(IrisGlManual, ATextureNeedsAnEnvironment) {
+// Nearer than the middle: -1 of the signed range; the polygon is in the middle.
+TEST_F(IrisGlManual, DepthsOfTheProgramHideWhatIsBehind) {
     rgb();
-    unsigned long texels[4] = {0xFF00FF00, 0xFF00FF00, 0xFF00FF00, 0xFF00FF00};
-    float modulate[] = {TV_MODULATE, TV_NULL}, decal[] = {TV_DECAL, TV_NULL};
-    texdef2d(2, 4, 2, 2, texels, 0, nullptr);
-    tevdef(2, 2, modulate);
-    tevdef(3, 2, decal);
-    const auto drawn = [](long environment) {
-        tevbind(TV_ENV0, environment);
-        cpack(0xFF0000FF);
-        square();
-        return shown(7, 7);
-    };
-    texbind(TX_TEXTURE_0, 2);
-    EXPECT_EQ(drawn(0), red);
-    EXPECT_EQ(drawn(2), 0u);
-    EXPECT_EQ(drawn(3), green);
-    EXPECT_EQ(drawn(0), red);
-    tevbind(TV_ENV0, 3);
-    texbind(TX_TEXTURE_0, 0);
+    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -1, 1);
+    zbuffer(TRUE);
+    czclear(0, getgdesc(GD_ZMAX));
+    std::vector<unsigned long> near(4, (unsigned long)(getgdesc(GD_ZMIN)) & 0xFFFFFF);
+    pixmode(PM_ZDATA, 1);
+    lrectwrite(6, 6, 7, 7, near.data());
+    pixmode(PM_ZDATA, 0);
     cpack(0xFF0000FF);
     square();
-    EXPECT_EQ(shown(7, 7), red);
-}
-
-// The left half of 4 x 4 texels: 8 words.
-TEST_F(IrisGlManual, APartOfATextureIsLoaded) {
-    rgb();
-    std::vector<unsigned long> greens(16, 0xFF00FF00), reds(8, 0xFF0000FF);
-    float point[] = {TX_MINFILTER, TX_POINT, TX_MAGFILTER, TX_POINT, TX_NULL};
-    float decal[] = {TV_DECAL, TV_NULL};
-    tevdef(7, 2, decal);
-    for (const bool is_bound : {false, true}) {
-        texdef2d(7, 4, 4, 4, greens.data(), 5, point);
-        tevbind(TV_ENV0, 7);
-        if (is_bound) texbind(TX_TEXTURE_0, 7);
-        subtexload(TX_TEXTURE_0, 7, 0, 0.5f, 0, 1, 8, reds.data(), 0);
-        if (!is_bound) texbind(TX_TEXTURE_0, 7);
-        square();
-        EXPECT_EQ(shown(5, 7), red) << is_bound;
-        EXPECT_EQ(shown(10, 7), green) << is_bound;
-    }
-    subtexload(TX_TEXTURE_0, 7, 0, 2, 0, 1, 8, reds.data(), 0);  // refused
-    square();
-    EXPECT_EQ(shown(10, 7), green);
-    texbind(TX_TEXTURE_0, 0);
-}
-
-TEST_F(IrisGlManual, PixelsAreNotTextured) {
-    rgb();
-    unsigned long texels[4] = {0xFF00FF00, 0xFF00FF00, 0xFF00FF00, 0xFF00FF00};
-    std::vector<unsigned long> reds(4, 0xFF0000FF);
-    float decal[] = {TV_DECAL, TV_NULL};
-    texdef2d(4, 4, 2, 2, texels, 0, nullptr);
-    tevdef(4, 2, decal);
-    texbind(TX_TEXTURE_0, 4);
-    tevbind(TV_ENV0, 4);
-    lrectwrite(4, 4, 5, 5, reds.data());
-    texbind(TX_TEXTURE_0, 0);
-    EXPECT_EQ(shown(4, 4), red);
-}
-
-// Fragments
-
-TEST_F(IrisGlManual, WithoutTheZBufferAStencilsPassHolds) {
-    rgb();
-    sclear(0);
     zbuffer(FALSE);
-    stencil(TRUE, 1, SF_ALWAYS, 1, ST_KEEP, ST_REPLACE, ST_KEEP);
-    rectfi(2, 2, 5, 5);
-    stencil(TRUE, 1, SF_EQUAL, 1, ST_KEEP, ST_KEEP, ST_KEEP);
-    cpack(0xFF00FF00);
-    rectfi(0, 0, 15, 15);
-    stencil(FALSE, 0, SF_ALWAYS, 0, ST_KEEP, ST_KEEP, ST_KEEP);
-    EXPECT_EQ(shown(3, 3), green);
-    EXPECT_EQ(shown(9, 9), 0u);
+    EXPECT_EQ(shown(6, 6), 0u);
+    EXPECT_EQ(shown(9, 9), red);
 }
 
-TEST_F(IrisGlManual, DepthCueingIsBrightNearTheEye) {
+// Picking
+
+TEST_F(IrisGlManual, NamesBeforeSelectionBeginWithAnEmptyStack) {
     rgb();
-    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -1, 1);
-    lRGBrange(0, 0, 0, 255, 255, 255, getgdesc(GD_ZMIN), getgdesc(GD_ZMAX));
-    depthcue(TRUE);
-    square(0.9f);
-    const std::uint32_t near = shown(7, 7);
-    square(-0.9f);
-    depthcue(FALSE);
-    EXPECT_GT(near & 0xFF, 230u);
-    EXPECT_LT(shown(7, 7) & 0xFF, 25u);
+    mmode(MVIEWING);
+    ortho2(0, 10, 0, 10);
+    short hits[50] = {};
+    initnames();
+    gselect(hits, 50);
+    loadname(7);
+    rectfi(2, 2, 4, 4);
+    loadname(8);
+    rectfi(20, 20, 30, 30);
+    EXPECT_EQ(endselect(hits), 1);
+    EXPECT_EQ(hits[0], 1);
+    EXPECT_EQ(hits[1], 7);
+    EXPECT_EQ(shown(3, 3), 0u);
+}
+
+TEST_F(IrisGlManual, ThePlaceOfAPixelIsThatOfAViewingObject) {
+    makeobj(40);
+    ortho2(0, 10, 0, 10);
+    closeobj();
+    float x = 0, y = 0;
+    mapw2(40, 8, 8, &x, &y);
+    delobj(40);
+    EXPECT_NEAR(x, 5.3, 0.4);
+    EXPECT_NEAR(y, 5.3, 0.4);
+}
+
+// Curves
+
+TEST_F(IrisGlManual, ACurveHasBothItsEnds) {
+    float bezier[4][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 3, 0, 0}, {1, 0, 0, 0}};
+    float line[4][3] = {{1, 3, 0}, {5, 3, 0}, {9, 3, 0}, {13, 3, 0}};
+    defbasis(1, bezier);
+    curvebasis(1);
+    curveprecision(20);
+    color(0);
+    clear();
+    color(5);
+    crv(line);
+    EXPECT_EQ(index_at(1, 3), 5);
+    EXPECT_EQ(index_at(7, 3), 5);
+    EXPECT_EQ(index_at(13, 3), 5);
+    EXPECT_EQ(count_of(5), 13);
 }
 
 }  // namespace gw::irisgl

@@ -33,7 +33,9 @@ typedef unsigned short Colorindex;
 typedef unsigned char RGBvalue;
 typedef unsigned short Device;
 typedef unsigned short Linestyle;
+#ifndef X_H /* X has a Cursor too; it is included first */
 typedef unsigned short Cursor[16];
+#endif
 typedef unsigned short Pattern16[16];
 typedef unsigned short Pattern32[64];
 typedef unsigned short Pattern64[256];
