@@ -39,7 +39,8 @@ std::vector<Vertex> vertices_at(std::span<const dvec4> points) {
 /// A polygon whose corners are those of pixels.
 void draw_whole_pixels(std::span<const dvec4> corners) {
     assembly().swaps.clear();
-    draw_shape(Shape::Polygon, vertices_at(corners));
+    pass(state().double_buffered ? parts_of_unshown_primitive : parts_of_primitive);
+    draw_part(Shape::Polygon, vertices_at(corners), true);
 }
 
 void draw_points(Shape shape, std::span<const dvec4> points) {

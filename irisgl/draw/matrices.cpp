@@ -52,14 +52,37 @@ std::optional<dvec3> window_from_object(const dvec4& p) {
 
 namespace {
 
-/// The object coordinates of clip coordinates.
-dvec4 object_from_clip(const dvec4& clip) {
+dmat4 object_from_clip_matrix() {
     const State& s = state();
     const dmat4& m = s.matrices.back();
-    return times(glm::inverse(s.matrix_mode == MSINGLE ? m : s.projection * m), clip);
+    return glm::inverse(s.matrix_mode == MSINGLE ? m : s.projection * m);
 }
 
+/// The object coordinates of clip coordinates.
+dvec4 object_from_clip(const dvec4& clip) { return times(object_from_clip_matrix(), clip); }
+
+bool is_finite(const dvec4& p) { return std::isfinite(p.x + p.y + p.z + p.w); }
+
 }  // namespace
+
+void snap_to_pixels(std::span<Vertex> vertices, bool is_area) {
+    const dmat4 back = object_from_clip_matrix();
+    const Bounds& view = state().viewport;
+    // A number that rounding put just beside a pixel's side is on it.
+    constexpr double tiny = 1.0 / 4096;
+    const auto upper = [](double v) { return std::floor(v + tiny) + 0.5; };
+    const auto lower = [](double v) { return std::ceil(v - tiny) - 0.5; };
+    for (Vertex& v : vertices) {
+        dvec4 clip = clip_from_object(v.p);
+        if (!(clip.w > 0)) continue;
+        const double x = upper((clip.x / clip.w + 1) / 2 * view.width());
+        const double at = (clip.y / clip.w + 1) / 2 * view.height();
+        const double y = is_area ? lower(at) : upper(at);
+        clip.x = (x / view.width() * 2 - 1) * clip.w;
+        clip.y = (y / view.height() * 2 - 1) * clip.w;
+        if (const dvec4 moved = times(back, clip); is_finite(moved)) v.p = moved;
+    }
+}
 
 bool own_edge_pixels(std::vector<dvec4>& corners) {
     const Bounds& view = state().viewport;

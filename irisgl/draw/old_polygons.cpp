@@ -35,6 +35,7 @@ bool is_culled(std::span<const Vertex> vertices) {
 }
 
 bool are_in_middles_of_pixels(std::span<const Vertex> vertices) {
+    if (!state().subpixel) return true;
     const auto is_middle = [](double v) { return std::abs(v - std::floor(v) - 0.5) < 1e-3; };
     return std::ranges::all_of(vertices, [&](const Vertex& v) {
         const auto at = window_from_object(v.p);

@@ -124,11 +124,11 @@ void emit(GLenum mode, std::span<const Vertex> vertices, const Emission& e) {
     glEnd();
 }
 
-/// A line of one pixel has both its ends.
+/// A line of one pixel has both its ends, unless subpixel is on.
 bool adds_last_point(Shape shape) {
     const State& s = state();
     return shape == Shape::Line && !gives_feedback() && s.now.line_width == 1 &&
-           s.now.linestyle == 0 && !s.smooth.lines;
+           s.now.linestyle == 0 && !s.smooth.lines && !s.subpixel;
 }
 
 void emit_shape(Shape shape, std::span<const Vertex> vertices, const Emission& e) {
@@ -346,7 +346,7 @@ void draw_shape(Shape shape, std::span<const Vertex> given) {
     draw_part(shape, given);
 }
 
-void draw_part(Shape shape, std::span<const Vertex> given) {
+void draw_part(Shape shape, std::span<const Vertex> given, bool is_placed) {
     std::vector<Vertex> vertices(given.begin(), given.end());
     const State& s = state();
     if (shape == Shape::Mesh && !assembly().swaps.empty()) {
@@ -361,6 +361,8 @@ void draw_part(Shape shape, std::span<const Vertex> given) {
         vertices = tessellated(vertices);
         shape = Shape::Triangles;
     }
+    if (!s.subpixel && !is_placed && !gives_feedback() && !picks())
+        snap_to_pixels(vertices, is_area(shape));
     load_matrices();
     const bool needs_bounds = s.box.is_tracked || s.now.pattern != 0;
     draw_with_state(shape, vertices, needs_bounds ? pixels_around(vertices) : Bounds{});

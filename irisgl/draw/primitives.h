@@ -37,8 +37,13 @@ Assembly& assembly();
 /// The current values at a place.
 Vertex vertex_here(double x, double y, double z, double w = 1);
 void draw_shape(Shape shape, std::span<const Vertex> vertices);
-/// The same without counting as a part of a frame.
-void draw_part(Shape shape, std::span<const Vertex> vertices);
+/// The same without counting as a part of a frame. `is_placed`: subpixel does not matter, the
+/// vertices stay where they are.
+void draw_part(Shape shape, std::span<const Vertex> vertices, bool is_placed = false);
+/// Moves vertices to the middles of their pixels, where IRIS GL draws them unless subpixel is on.
+/// Those behind the eye stay. On a side between two pixels it is the right one and, of areas, the
+/// lower one, else the upper: so areas between sides of pixels keep their pixels.
+void snap_to_pixels(std::span<Vertex> vertices, bool is_area);
 /// A polygon of a command older than bgnpolygon: it owns the pixels of its edges too.
 void draw_old_polygon(std::span<const Vertex> vertices);
 /// A rectangle of whole pixels of the window, both ends included, in the current colour, at a depth of

@@ -53,6 +53,7 @@ TEST_F(IrisGlColors, ShadedIndicesAreTheNearestOfEachPixel) {
     clear();
     const float corners[4][2] = {{-0.5f, -0.5f}, {15.5f, -0.5f}, {15.5f, 15.5f}, {-0.5f, 15.5f}};
     const Colorindex indices[4] = {100, 420, 420, 100};
+    subpixel(TRUE);
     splf2(4, const_cast<float(*)[2]>(corners), const_cast<Colorindex*>(indices));
     for (int x = 0; x < 16; ++x) EXPECT_EQ(index_at(x, 7), 100 + 10 + 20 * x) << x;
 }

@@ -37,6 +37,7 @@ TEST_F(IrisGlDrawing, ALineOwnsBothItsEnds) {
 
 TEST_F(IrisGlDrawing, ConcavePolygonsLeaveTheirNotchEmpty) {
     concave(TRUE);
+    subpixel(TRUE);
     const float p[6][2] = {{0.5f, 0.5f}, {12.5f, 0.5f}, {12.5f, 4.5f},
                            {4.5f, 4.5f}, {4.5f, 12.5f}, {0.5f, 12.5f}};
     polf2(6, const_cast<float(*)[2]>(p));

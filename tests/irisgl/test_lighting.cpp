@@ -136,6 +136,7 @@ TEST_F(IrisGlLighting, IndicesGoFromTheAmbientToTheDiffuseOne) {
 
 // The same square by OpenGL's own calls in the same window.
 TEST_F(IrisGlLighting, AShinyMaterialLooksAsThroughOpenGL) {
+    subpixel(TRUE);
     define(DEFMATERIAL, {AMBIENT, 0.1f, 0.2f, 0.3f, DIFFUSE, 0.3f, 0.2f, 0.1f, SPECULAR, 0.5f, 0.6f,
                          0.7f, SHININESS, 8, EMISSION, 0.01f, 0.02f, 0.03f, LMNULL});
     define(DEFLMODEL, {AMBIENT, 0.3f, 0.3f, 0.3f, LOCALVIEWER, 1, LMNULL});

@@ -82,6 +82,79 @@ TEST_F(IrisGlManual, ANotchOfAConcavePolygonStaysEmpty) {
     EXPECT_EQ(index_at(7, 3), 5);
 }
 
+// The manual's example: the line from (0, 0) to (0, 2) has three pixels, with subpixel two.
+TEST_F(IrisGlManual, LinesAreClosedUnlessSubpixelIsOn) {
+    const auto pixels = [](Boolean on) {
+        subpixel(on);
+        color(0);
+        clear();
+        color(5);
+        move2i(0, 0);
+        draw2i(0, 2);
+        return count_of(5);
+    };
+    EXPECT_EQ(pixels(FALSE), 3);
+    EXPECT_EQ(pixels(TRUE), 2);
+}
+
+// Corners at 2.3 and 8.4: snapped to 2 and 8, columns 2 to 7; else 3 to 8.
+TEST_F(IrisGlManual, VerticesAreInTheMiddlesOfPixelsUnlessSubpixelIsOn) {
+    const auto draw = [](Boolean on) {
+        subpixel(on);
+        color(0);
+        clear();
+        color(5);
+        bgnpolygon();
+        for (const auto& [x, y] :
+             {std::pair{2.3f, 2.3f}, {8.4f, 2.3f}, {8.4f, 8.4f}, {2.3f, 8.4f}}) {
+            float v[2] = {x, y};
+            v2f(v);
+        }
+        endpolygon();
+        return count_of(5);
+    };
+    EXPECT_EQ(draw(FALSE), 36);
+    EXPECT_EQ(index_at(2, 5), 5);
+    EXPECT_EQ(index_at(8, 5), 0);
+    EXPECT_EQ(draw(TRUE), 36);
+    EXPECT_EQ(index_at(2, 5), 0);
+    EXPECT_EQ(index_at(8, 5), 5);
+}
+
+// In perspective: x = 1.05 at z = -2 is 8 + 8 x 1.05 / 2 = 12.2 pixels, so column 12.
+TEST_F(IrisGlManual, VerticesInPerspectiveAreInTheMiddlesOfPixelsToo) {
+    color(0);
+    clear();
+    color(5);
+    mmode(MVIEWING);
+    perspective(900, 1, 1, 100);
+    translate(0, 0, -2);
+    bgnpolygon();
+    for (const auto& [x, y] :
+         {std::pair{-1.05f, -1.05f}, {1.05f, -1.05f}, {1.05f, 1.05f}, {-1.05f, 1.05f}}) {
+        float v[2] = {x, y};
+        v2f(v);
+    }
+    endpolygon();
+    EXPECT_EQ(count_of(5), 81);  // from the middle of pixel 3 to that of pixel 12
+    EXPECT_EQ(index_at(3, 8), 5);
+    EXPECT_EQ(index_at(12, 8), 0);
+}
+
+TEST_F(IrisGlManual, AreasBetweenSidesOfPixelsKeepTheirPixels) {
+    color(0);
+    clear();
+    color(5);
+    ortho2(0, 16, 0, 16);
+    bgnpolygon();
+    for (const auto& [x, y] : {std::pair{0L, 0L}, {16L, 0L}, {16L, 16L}, {0L, 16L}}) {
+        long v[2] = {x, y};
+        v2i(v);
+    }
+    endpolygon();
+    EXPECT_EQ(count_of(5), 256);
+}
+
 // Colours
 
 TEST_F(IrisGlManual, GconfigSetsTheColourToZero) {

@@ -109,6 +109,7 @@ TEST_F(IrisGlPlanes, ASmoothLineOfIndicesHasItsCoverageInFourBits) {
     color(0);
     clear();
     linesmooth(SML_ON);
+    subpixel(TRUE);
     color(48);
     move2(2, 3);
     draw2(9, 3);
