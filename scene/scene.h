@@ -7,6 +7,7 @@
 #include "gw/mesh.h"
 #include "gw/state.h"
 #include "gw/texture.h"
+#include "scene/photometry.h"
 
 #include <array>
 #include <filesystem>
@@ -73,6 +74,8 @@ struct PixmapChoice {
     double texels_per_unit = 0;    ///< 0: the scene's
     bool given_st = false;         ///< ST are the mesh's texcoords; else they are generated
     std::optional<vec3> emission;  ///< instead of the material's Ke
+    double lumen = 0;              ///< above 0: of the whole object, instead of both
+    vec3 color{1, 1, 1};           ///< of these lumens
     Origin origin;
 };
 
@@ -113,6 +116,8 @@ struct Light {
     Shadow shadow = Shadow::None;
     AreaLight area;
     std::set<std::string> only;  ///< names of the objects it lights; empty: all [K3.3]
+    /// its intensity in candela, for radiosity; Id and attenuation show it in passes
+    std::optional<Luminous> luminous;
 };
 
 struct Camera {
@@ -139,6 +144,8 @@ struct Scene {
     std::optional<Camera> camera;  ///< absent: fit_camera
     std::optional<Fog> fog;
     vec3 background{0, 0, 0};
+    /// the illuminance, in lux, under which a white surface is white in pictures; 0: light has no unit
+    double white = 0;
     /// of pixmaps without their own; 0: fitted to the scene [F2.1]
     double texels_per_unit = 0;
     bool reflection_in_shadow = true;  ///< reflection maps are drawn in shadow too [K3.2]

@@ -113,17 +113,20 @@ void put_shares(image::OutputSet& files, const std::filesystem::path& folder,
 
 std::string text_of(const std::vector<radiosity::Share>& shares,
                     const radiosity::PixmapModel& model) {
-    const auto emitted = [&](const std::vector<dvec3>& E) {
+    const auto sum_of = [](const dvec3& v) { return v.x + v.y + v.z; };
+    const auto emitted = [&](const radiosity::Share& share) {
         double sum = 0;
-        for (std::size_t t = 0; t < E.size(); ++t)
-            sum += model.area[t] * (E[t].x + E[t].y + E[t].z);
+        for (std::size_t t = 0; t < share.E.size(); ++t) sum += model.area[t] * sum_of(share.E[t]);
+        for (const radiosity::DirectLight& light : model.direct)
+            if (light.name == share.lamp) sum += sum_of(light.emitted);
         return sum;
     };
+    double all = 0;
+    for (const radiosity::Share& share : shares) all += emitted(share);
     std::string text;
     for (std::size_t i = 0; i < shares.size(); ++i)
         text += fmt::format("share_{}.exr: {}, {:.1f} % of the emitted energy\n", i + 1,
-                            escape_controls(shares[i].lamp),
-                            100 * emitted(shares[i].E) / emitted(model.E));
+                            escape_controls(shares[i].lamp), 100 * emitted(shares[i]) / all);
     return text;
 }
 

@@ -60,7 +60,7 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
     const radiosity::PixmapModel& model = solved.model;
     const radiosity::DisplayedPixmaps colors = displayed(solved, options);
     const radiosity::LightAtlas atlas = radiosity::make_atlas(model);
-    const double scale = pow(2, options.exposure);
+    const double scale = shown_scale(options, scene);
     const Size size = options.picture.size;
     scene::WrittenScene out{.camera = scene::make_view(scene, size.width, size.height).camera,
                             .aspect = double(size.width) / size.height};

@@ -4,6 +4,7 @@
 #include "apps/command/terminal.h"
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/light_maps.h"
+#include "apps/radiosity/lux.h"
 #include "apps/radiosity/pictures.h"
 #include "gw/escape_controls.h"
 
@@ -54,6 +55,7 @@ int show_mix(const RadiosityOptions& options, Session& session, const scene::Sce
     const Solved mixed{model, solution};
     image::OutputSet files(session.inputs);
     std::string text = RadiosityPictures(options, scene, session).put(mixed, "mixed", files);
+    text += lux_lines(options, mixed);
     if (options.light_maps) text += put_light_maps(options, scene, mixed, "mixed_", files);
     put_index(files, options.output, session);
     files.commit();

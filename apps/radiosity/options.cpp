@@ -130,6 +130,18 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--units", o.units,
                      "Also each view in radiosity units, NAME_units.exr, and in false colours, "
                      "NAME_false.png, with their scale");
+    command.add_flag("--lux", o.lux,
+                     "Also the illuminance in each view, NAME_lux.exr, and in false colours, "
+                     "NAME_lux.png, with their scale");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--lux-at",
+            [&o](const std::vector<std::string>& words) {
+                for (const std::string& word : words)
+                    o.lux_at.push_back(point_from("--lux-at", word));
+            },
+            "Print the illuminance of the surface nearest to this point. May be repeated")
+        ->type_name("X,Y,Z");
     command.add_flag("--lightmaps", o.light_maps,
                      "Also the pixmaps for other programs: DIR/light_maps.gltf with its textures");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
@@ -138,7 +150,7 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
         "--specular", o.specular,
         "Add the specular and reflection passes, and rays for materials that ask for them");
     add_number(command, "--exposure", o.exposure, -32, 32, "STOPS",
-               "Radiosity times 2^STOPS (default 0)");
+               "Radiosity times 2^STOPS, by the scene's white if it has one (default 0)");
     add_number(command, "--gamma", o.gamma, 0.1, 10, "G", "The picture as v^(1/G) (default 1)");
 }
 

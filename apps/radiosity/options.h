@@ -42,8 +42,10 @@ struct RadiosityOptions {
     std::vector<std::pair<dvec3, dvec3>> views;  ///< eye, at; none: the camera
     double exposure = 0, gamma = 1;
     bool no_ambient = false, specular = false;
-    bool units = false;       ///< also writes each view in radiosity units and in false colours
-    bool light_maps = false;  ///< also writes the solution for other programs
+    bool units = false;         ///< also writes each view in radiosity units and in false colours
+    bool lux = false;           ///< also writes the illuminance in each view
+    std::vector<dvec3> lux_at;  ///< points whose illuminance is printed
+    bool light_maps = false;    ///< also writes the solution for other programs
     std::vector<std::string> form_factor;  ///< two names, or none
     std::vector<Change> changes;           ///< of the solved scene
     bool anew = false;                     ///< also solves the changed scene anew

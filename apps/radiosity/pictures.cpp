@@ -89,6 +89,10 @@ radiosity::DisplayedPixmaps displayed(const Solved& solved, const RadiosityOptio
     return radiosity::displayed_pixmaps(solved.model, solved.solution, !options.no_ambient);
 }
 
+double shown_scale(const RadiosityOptions& options, const scene::Scene& scene) {
+    return pow(2, options.exposure) / (scene.white > 0 ? scene.white : 1);
+}
+
 RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene,
                                      Session& session)
     : options_(options),
@@ -110,7 +114,7 @@ RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scen
 RadiosityPictures::Image RadiosityPictures::draw(const radiosity::PixmapModel& model,
                                                  const radiosity::DisplayedPixmaps& colors,
                                                  const scene::View& view, bool strips) {
-    const radiosity::Brightness brightness{pow(2, options_.exposure), scene_.background};
+    const radiosity::Brightness brightness{shown_scale(options_, scene_), scene_.background};
     const CommandList list =
         strips ? radiosity::strip_list(model, colors, view, brightness, options_.picture.threads)
                : radiosity::texture_list(model, colors, view, brightness);
@@ -131,7 +135,7 @@ std::vector<Rgba> RadiosityPictures::with_components(const radiosity::PixmapMode
                                                      const radiosity::DisplayedPixmaps& colors,
                                                      const scene::View& view) {
     const scene::Scene all =
-        radiosity::emissive_scene(scene_, model, colors, pow(2, options_.exposure));
+        radiosity::emissive_scene(scene_, model, colors, shown_scale(options_, scene_));
     const scene::Scene seen = radiosity::without_backs(all, view.camera);
     multipass::Options passes;
     std::optional<raytrace::World> world;
@@ -178,34 +182,71 @@ std::string RadiosityPictures::put_view(const Solved& solved, const scene::View&
         stem.filename().string(), d.mean, d.largest, d.others);
 }
 
-/// Drawn so that the brightest radiosity is white: the frame buffer cuts none off.
+/// Drawn so that the brightest value is white: the frame buffer cuts none off.
+std::vector<dvec3> RadiosityPictures::drawn_values(const Solved& solved,
+                                                   const radiosity::DisplayedPixmaps& colors,
+                                                   const scene::View& view, double most) {
+    machine_->execute(
+        radiosity::texture_list(solved.model, colors, view, {.scale = most > 0 ? 1 / most : 1}));
+    machine_->reset_passes();
+    const std::uint32_t white = max_of_bits(profile_.color_bits);
+    std::vector<dvec3> values;
+    for (const Rgba& color : machine_->planes().color)
+        values.push_back({most * double(color[0]) / white, most * double(color[1]) / white,
+                          most * double(color[2]) / white});
+    return values;
+}
+
+/// A value of `red` and more is red; NAME.png of the stem. Returns a line about the scale.
+std::string RadiosityPictures::put_false(const std::vector<double>& values, double red,
+                                         const scene::View& view, const std::filesystem::path& stem,
+                                         const std::string& what, image::OutputSet& files) {
+    const std::uint32_t white = max_of_bits(profile_.color_bits);
+    std::vector<std::uint32_t> darkness;
+    for (const double value : values)
+        darkness.push_back(
+            white - std::uint32_t(std::min(double(white), red > 0 ? value / red * white : 0.0)));
+    image::put_picture(files.add(with_ending(stem, ".png")),
+                       image::depth_colors(darkness, view.width, view.height, profile_.color_bits));
+    return fmt::format(
+        "{}.png, {}: red {:.4g} and more, yellow {:.4g}, green {:.4g}, cyan {:.4g}, "
+        "blue to black 0\n",
+        stem.filename().string(), what, red, red * 3 / 4, red / 2, red / 4);
+}
+
 std::string RadiosityPictures::put_units(const Solved& solved, const scene::View& view,
                                          const std::filesystem::path& stem,
                                          image::OutputSet& files) {
     const radiosity::DisplayedPixmaps colors = displayed(solved, options_);
     const double most = brightest(solved.model, colors, true),
-                 lit = brightest(solved.model, colors, false), red = lit > 0 ? lit : most;
-    machine_->execute(
-        radiosity::texture_list(solved.model, colors, view, {.scale = most > 0 ? 1 / most : 1}));
-    machine_->reset_passes();
-    const std::vector<Rgba>& drawn = machine_->planes().color;
-    const std::uint32_t white = max_of_bits(profile_.color_bits);
+                 lit = brightest(solved.model, colors, false);
     std::vector<float> radiosities;
-    std::vector<std::uint32_t> darkness;
-    for (const Rgba& color : drawn) {
-        for (int c = 0; c < 3; ++c)
-            radiosities.push_back(float(most * double(color[std::size_t(c)]) / white));
-        const double mean = (double(color[0]) + color[1] + color[2]) / 3;
-        darkness.push_back(white - std::uint32_t(std::min(double(white), mean * (most / red))));
+    std::vector<double> means;
+    for (const dvec3& B : drawn_values(solved, colors, view, most)) {
+        for (int c = 0; c < 3; ++c) radiosities.push_back(float(B[c]));
+        means.push_back((B.x + B.y + B.z) / 3);
     }
     image::put_values(files.add(with_ending(stem, "_units.exr")),
                       {view.width, view.height, {"R", "G", "B"}, std::move(radiosities)});
-    image::put_picture(files.add(with_ending(stem, "_false.png")),
-                       image::depth_colors(darkness, view.width, view.height, profile_.color_bits));
-    return fmt::format(
-        "{}_false.png, radiosity: red {:.4g} and more, yellow {:.4g}, green {:.4g}, cyan {:.4g}, "
-        "blue to black 0\n",
-        stem.filename().string(), red, red * 3 / 4, red / 2, red / 4);
+    return put_false(means, lit > 0 ? lit : most, view, with_ending(stem, "_false"), "radiosity",
+                     files);
+}
+
+std::string RadiosityPictures::put_lux(const Solved& solved, const scene::View& view,
+                                       const std::filesystem::path& stem, image::OutputSet& files) {
+    const radiosity::DisplayedPixmaps colors =
+        radiosity::displayed_irradiance(solved.model, solved.solution, !options_.no_ambient);
+    std::vector<float> written;
+    std::vector<double> lux;
+    for (const dvec3& H :
+         drawn_values(solved, colors, view, brightest(solved.model, colors, true))) {
+        lux.push_back(scene::luminance_of(H));
+        written.push_back(float(lux.back()));
+    }
+    const double most = *std::max_element(lux.begin(), lux.end());
+    image::put_values(files.add(with_ending(stem, "_lux.exr")),
+                      {view.width, view.height, {"Y"}, std::move(written)});
+    return put_false(lux, most, view, with_ending(stem, "_lux"), "lux", files);
 }
 
 std::string RadiosityPictures::put(const Solved& solved, const std::string& name,
@@ -216,6 +257,7 @@ std::string RadiosityPictures::put(const Solved& solved, const std::string& name
             options_.output / (views_.size() > 1 ? fmt::format("{}_{}", name, i + 1) : name);
         text += put_view(solved, views_[i], stem, files);
         if (options_.units) text += put_units(solved, views_[i], stem, files);
+        if (options_.lux) text += put_lux(solved, views_[i], stem, files);
     }
     return text;
 }

@@ -14,6 +14,9 @@ struct Solved {
 };
 radiosity::DisplayedPixmaps displayed(const Solved& solved, const RadiosityOptions& options);
 
+/// The frame buffer's value of radiosity 1: 2^exposure, by the scene's white if it has one.
+double shown_scale(const RadiosityOptions& options, const scene::Scene& scene);
+
 class RadiosityPictures {
 public:
     RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene, Session& session);
@@ -21,7 +24,7 @@ public:
     /// Writes DIR/NAME.png, or NAME_1.png ... for several views. With --display both, writes
     /// NAME_texture.png, NAME_strips.png and NAME_difference.png, and returns a line about their
     /// difference for printing. With --units, also writes NAME_units.exr and NAME_false.png, with a
-    /// line about their scale.
+    /// line about their scale; with --lux NAME_lux.exr and NAME_lux.png.
     std::string put(const Solved& solved, const std::string& name, image::OutputSet& files);
 
 private:
@@ -36,6 +39,13 @@ private:
     std::string put_view(const Solved& solved, const scene::View& view,
                          const std::filesystem::path& stem, image::OutputSet& files);
 
+    std::vector<dvec3> drawn_values(const Solved& solved, const radiosity::DisplayedPixmaps& colors,
+                                    const scene::View& view, double most);
+    std::string put_false(const std::vector<double>& values, double red, const scene::View& view,
+                          const std::filesystem::path& stem, const std::string& what,
+                          image::OutputSet& files);
+    std::string put_lux(const Solved& solved, const scene::View& view,
+                        const std::filesystem::path& stem, image::OutputSet& files);
     std::string put_units(const Solved& solved, const scene::View& view,
                           const std::filesystem::path& stem, image::OutputSet& files);
 

@@ -7,6 +7,7 @@
 #include "apps/picture/scene_warnings.h"
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/light_maps.h"
+#include "apps/radiosity/lux.h"
 #include "apps/radiosity/mix.h"
 #include "apps/radiosity/options.h"
 #include "apps/radiosity/pictures.h"
@@ -191,6 +192,7 @@ private:
         image::OutputSet files(session_.inputs);
         std::string text =
             RadiosityPictures(options_, scene_, session_).put(shown(), "picture", files);
+        text += lux_lines(options_, shown());
         if (options_.light_maps) text += put_light_maps(options_, scene_, shown(), "", files);
         if (options_.save) put_saved(files);
         if (options_.shares) text += put_final_shares(files);
@@ -235,8 +237,7 @@ private:
         apply_changes(options_.changes, changed);
         progress_.at("changing");
         const auto begin = Clock::now();
-        const radiosity::Update update =
-            solver_.update(radiosity::make_model(changed, options_.model));
+        const radiosity::Update update = solver_.update(lit_model(changed, options_));
         const int more = update.hemicubes + solve(solver_);
         const std::string sent =
             update.anew ? "the solution begun again"
@@ -246,11 +247,12 @@ private:
                           seconds_since(begin), unshot(solver_)));
         image::OutputSet files(session_.inputs);
         const std::string text =
-            RadiosityPictures(options_, changed, session_).put(shown(), "changed", files);
+            RadiosityPictures(options_, changed, session_).put(shown(), "changed", files) +
+            lux_lines(options_, shown());
         put_index(files, options_.output, session_);
         files.commit();
         print(text);
-        if (options_.anew) compare(radiosity::make_model(changed, options_.model));
+        if (options_.anew) compare(lit_model(changed, options_));
     }
 
     void compare(radiosity::PixmapModel model) {
@@ -302,6 +304,7 @@ int compute(RadiosityOptions options, Session session) {
     check(options);
     Progress progress("reading", options.picture.quiet);
     render::SceneInput input = read_input(options.picture, session);
+    for (dvec3& point : options.lux_at) point -= input.origin;
     for (auto& [eye, at] : options.views) {
         eye -= input.origin;
         at -= input.origin;
@@ -317,7 +320,8 @@ int compute(RadiosityOptions options, Session session) {
         return recorded(make_fast(radiosity::id_profile(), size, size, {.threads = 1}), size, size,
                         session.recorder);
     };
-    radiosity::PixmapModel model = radiosity::make_model(scene, options.model);
+    check_lux(options, scene);
+    radiosity::PixmapModel model = lit_model(scene, options);
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
         return Done;

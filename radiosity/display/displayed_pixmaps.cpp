@@ -26,9 +26,11 @@ dvec3 DisplayedPixmaps::at(std::uint32_t pixmap, const dvec2& uv) const {
     return row(y) * (1 - wy) + row(y + 1) * wy;
 }
 
-DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
-                                   bool with_ambient) {
-    const dvec3 light = with_ambient ? ambient(model, solution) : dvec3(0);
+namespace {
+
+/// `value` of each texel, by its number.
+template <class Value>
+DisplayedPixmaps displayed(const PixmapModel& model, const Value& value) {
     DisplayedPixmaps colors(model);
     for (std::uint32_t p = 0; p < model.pixmaps.size(); ++p) {
         const Pixmap& pixmap = model.pixmaps[p];
@@ -36,11 +38,27 @@ DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& sol
             for (int x = -1; x <= pixmap.width; ++x) {
                 const std::size_t t = model.nearest[pixmap.texel(
                     std::clamp(x, 0, pixmap.width - 1), std::clamp(y, 0, pixmap.height - 1))];
-                colors.at(p, x, y) = radiosity_at(model, solution, t) + model.rho[t] * light;
+                colors.at(p, x, y) = value(t);
             }
     }
     close_seams(model, colors);
     return colors;
+}
+
+}  // namespace
+
+DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
+                                   bool with_ambient) {
+    const dvec3 light = with_ambient ? ambient(model, solution) : dvec3(0);
+    return displayed(model, [&](std::size_t t) {
+        return radiosity_at(model, solution, t) + model.rho[t] * light;
+    });
+}
+
+DisplayedPixmaps displayed_irradiance(const PixmapModel& model, const Solution& solution,
+                                      bool with_ambient) {
+    const dvec3 light = with_ambient ? ambient(model, solution) : dvec3(0);
+    return displayed(model, [&](std::size_t t) { return solution.H[t] + light; });
 }
 
 }  // namespace gw::radiosity

@@ -39,4 +39,8 @@ private:
 DisplayedPixmaps displayed_pixmaps(const PixmapModel& model, const Solution& solution,
                                    bool with_ambient);
 
+/// Likewise the light that falls on each texel, in place of the light that it sends.
+DisplayedPixmaps displayed_irradiance(const PixmapModel& model, const Solution& solution,
+                                      bool with_ambient);
+
 }  // namespace gw::radiosity

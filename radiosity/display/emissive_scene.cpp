@@ -50,7 +50,9 @@ scene::Scene emissive_scene(const scene::Scene& scene, const PixmapModel& model,
                             const DisplayedPixmaps& colors, double scale) {
     scene::Scene out = scene;
     out.objects.clear();
-    for (scene::Light& light : out.lights) light.Is = light.Is.value_or(light.Id) * float(scale);
+    // Lights of a scene with a white are in parts of it already.
+    const double of_white = scene.white > 0 ? scale * scene.white : scale;
+    for (scene::Light& light : out.lights) light.Is = light.Is.value_or(light.Id) * float(of_white);
     for (std::size_t i = 0; i < model.sources.size(); ++i) {
         const scene::Object& object = scene.objects[model.sources[i].object];
         for (auto& [pixmap, mesh] : parts_by_pixmap(model, i, *object.mesh)) {

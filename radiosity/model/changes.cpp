@@ -17,8 +17,12 @@ void change_object(const Change& change, scene::Scene& scene, scene::Object& obj
         object.material = scene.materials.size();
         scene.materials.push_back(std::move(own));
     } else if (change.what == "dim") {
-        object.pixmap.emission = object.pixmap.emission.value_or(material.Ke) * vec3(change.value);
+        object.pixmap.lumen *= change.value.x;
+        if (object.pixmap.lumen == 0)
+            object.pixmap.emission =
+                object.pixmap.emission.value_or(material.Ke) * vec3(change.value);
     } else {
+        object.pixmap.lumen = 0;
         object.pixmap.emission = vec3(change.value);
     }
 }

@@ -169,11 +169,12 @@ std::vector<dvec3> emission_times(const PixmapModel& model,
 }
 
 void check_emission(const PixmapModel& model) {
+    if (!model.direct.empty()) return;
     for (const Figure& figure : model.figures)
         if (figure.E != dvec3(0)) return;
     throw Error("scene '" + model.drawn.name +
-                "': nothing emits light; expected a material with Ke, or pixmap = {emission = ...} "
-                "of an object");
+                "': nothing emits light; expected a material with Ke, pixmap = {emission = ...} of "
+                "an object, or a light in candela or lumen");
 }
 
 PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options) {

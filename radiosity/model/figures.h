@@ -25,7 +25,7 @@ PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options = 
 std::vector<dvec3> emission_times(const PixmapModel& model,
                                   const std::function<dvec3(const Figure&)>& factor);
 
-/// Throws Error if no figure emits: there is nothing to solve. Form factors need no light.
+/// Throws Error if no figure emits and no lamp sends light directly: there is nothing to solve. Form factors need no light.
 void check_emission(const PixmapModel& model);
 
 }  // namespace gw::radiosity

@@ -28,6 +28,15 @@ Surface surface_of(const scene::Object& o) {
     return surface;
 }
 
+double area_of(const Surface& surface) {
+    double area = 0;
+    for (const auto& [a, b, c] : surface.triangles) {
+        const dvec3& p = surface.points[a];
+        area += length(cross3(surface.points[b] - p, surface.points[c] - p)) / 2;
+    }
+    return area;
+}
+
 /// After its triangles are in: bounds, the region's corners, the sphere.
 void finish(Facet& facet) {
     // Rounding must not lead out of the pixmap.
@@ -119,15 +128,19 @@ void ModelBuilder::fail(const std::string& what) const {
 }
 
 void ModelBuilder::fail_without_area() const {
-    const dvec3 E(object().pixmap.emission.value_or(scene_.materials[object().material].Ke));
-    fail(std::string("has no area") + (E == dvec3(0) ? "" : " and is to emit") +
+    const scene::PixmapChoice& choice = object().pixmap;
+    const dvec3 E(choice.emission.value_or(scene_.materials[object().material].Ke));
+    const bool emits = choice.lumen > 0 || E != dvec3(0);
+    fail(std::string("has no area") + (emits ? " and is to emit" : "") +
          "; expected a figure with an area");
 }
 
 std::uint32_t ModelBuilder::add_figure(std::uint32_t pixmap) {
     const scene::Object& o = object();
     const scene::Material& m = scene_.materials[o.material];
-    const dvec3 rho(m.Kd), E(o.pixmap.emission.value_or(m.Ke));
+    const dvec3 rho(m.Kd), E = o.pixmap.lumen > 0
+                                   ? dvec3(o.pixmap.color) * (o.pixmap.lumen / area_of(surface_))
+                                   : dvec3(o.pixmap.emission.value_or(m.Ke));
     for (int c = 0; c < 3; ++c) {
         if (rho[c] > 1)
             fail(fmt::format(

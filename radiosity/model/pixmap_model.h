@@ -76,6 +76,14 @@ struct Source {
 };
 inline constexpr std::uint32_t no_facet = 0xffffffff;
 
+/// The light that a lamp without area sends straight to the texels.
+struct DirectLight {
+    std::string name;      ///< of all lights of this name together
+    std::vector<dvec3> H;  ///< irradiance of each texel
+    dvec3 emitted{0};      ///< flux, all that the lamps send
+    dvec3 escaped{0};      ///< flux that meets no texel
+};
+
 struct PixmapModel {
     std::vector<Figure> figures;
     std::vector<Facet> facets;
@@ -100,6 +108,8 @@ struct PixmapModel {
     /// drawn's objects as one, for hemicubes: planned once, not once an object
     scene::Scene joined;
     double extent = 0;  ///< diagonal of the scene's bounds
+    /// of lights in candela; empty until direct_light.h fills it in
+    std::vector<DirectLight> direct;
 
     std::size_t texel_count() const { return area.size(); }
 };

@@ -147,6 +147,11 @@ std::string fingerprint(const PixmapModel& model) {
         print.add(std::uint64_t(patch.width));
         print.add(std::uint64_t(patch.height));
     }
+    for (const DirectLight& light : model.direct) {
+        print.add(light.name);
+        print.add(light.emitted);
+        for (const dvec3& H : light.H) print.add(H);
+    }
     return print.text();
 }
 

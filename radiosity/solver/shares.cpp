@@ -47,6 +47,9 @@ std::vector<std::string> lamps_of(const PixmapModel& model) {
         if (figure.E != dvec3(0) &&
             std::find(lamps.begin(), lamps.end(), figure.name) == lamps.end())
             lamps.push_back(figure.name);
+    for (const DirectLight& light : model.direct)
+        if (std::find(lamps.begin(), lamps.end(), light.name) == lamps.end())
+            lamps.push_back(light.name);
     return lamps;
 }
 
@@ -56,6 +59,8 @@ std::vector<Share> initial_shares(const PixmapModel& model) {
         Share share{lamp, emission_of(model, lamp), {}};
         share.solution.H.assign(model.texel_count(), dvec3(0));
         for (const dvec3& E : share.E) share.solution.unshot.push_back(all_storable(E));
+        for (const DirectLight& light : model.direct)
+            if (light.name == lamp) add(model, light, share.solution);
         shares.push_back(std::move(share));
     }
     return shares;
@@ -63,13 +68,19 @@ std::vector<Share> initial_shares(const PixmapModel& model) {
 
 Solution mix(const std::vector<Share>& shares, const std::vector<dvec3>& factors,
              PixmapModel& model) {
-    const auto factor = [&](const Figure& figure) {
+    const auto factor_of = [&](const std::string& name) {
         for (std::size_t i = 0; i < shares.size(); ++i)
-            if (shares[i].lamp == figure.name) return factors[i];
+            if (shares[i].lamp == name) return factors[i];
         return dvec3(1);
     };
-    model.E = emission_times(model, factor);
-    for (Figure& figure : model.figures) figure.E *= factor(figure);
+    model.E = emission_times(model, [&](const Figure& figure) { return factor_of(figure.name); });
+    for (Figure& figure : model.figures) figure.E *= factor_of(figure.name);
+    for (DirectLight& light : model.direct) {
+        const dvec3 factor = factor_of(light.name);
+        for (dvec3& H : light.H) H *= factor;
+        light.emitted *= factor;
+        light.escaped *= factor;
+    }
     return sum_of(shares, factors, model.texel_count());
 }
 

@@ -7,21 +7,21 @@
 
 namespace gw::radiosity {
 
-/// A lamp is all objects of one name that emit.
+/// A lamp is all objects of one name that emit, or all lights of one name without area.
 struct Share {
     std::string lamp;
     std::vector<dvec3> E;  ///< of each texel, by this lamp only
     Solution solution;
 };
 
-/// In the order of the scene.
+/// In the order of the scene, objects first. A light of an object's name is the same lamp.
 std::vector<std::string> lamps_of(const PixmapModel& model);
 
 /// Before the first shot. Their solutions are for Solver::follow.
 std::vector<Share> initial_shares(const PixmapModel& model);
 
 /// The state of the scene whose lamps are `factors` times as strong, by channel, after the same
-/// shots. The model's E and figures change with it. Precondition: a factor of at least 0 for each
+/// shots. The model's emission changes with it. Precondition: a factor of at least 0 for each
 /// share.
 Solution mix(const std::vector<Share>& shares, const std::vector<dvec3>& factors,
              PixmapModel& model);

@@ -10,7 +10,20 @@ Solution initial_solution(const PixmapModel& model) {
     solution.H.assign(model.texel_count(), dvec3(0));
     for (const dvec3& E : model.E)
         solution.unshot.push_back({storable(E.x), storable(E.y), storable(E.z)});
+    for (const DirectLight& light : model.direct) add(model, light, solution);
     return solution;
+}
+
+void add(const PixmapModel& model, const DirectLight& light, Solution& solution) {
+    for (std::size_t t = 0; t < light.H.size(); ++t) {
+        const dvec3 before = solution.H[t];
+        for (int c = 0; c < 3; ++c) {
+            solution.H[t][c] = storable(before[c] + light.H[t][c]);
+            solution.unshot[t][c] =
+                storable(solution.unshot[t][c] + model.rho[t][c] * (solution.H[t][c] - before[c]));
+        }
+    }
+    solution.escaped += light.escaped;
 }
 
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel) {
@@ -38,6 +51,7 @@ double Books::unshot_share() const {
 
 Books books(const PixmapModel& model, const Solution& solution) {
     Books b;
+    for (const DirectLight& light : model.direct) b.emitted += light.emitted;
     for (std::size_t t = 0; t < model.texel_count(); ++t) {
         b.emitted += model.area[t] * model.E[t];
         b.absorbed += model.area[t] * (dvec3(1) - model.rho[t]) * solution.H[t];

@@ -20,8 +20,10 @@ struct Solution {
     bool operator==(const Solution&) const = default;
 };
 
-/// Before the first shot, all emitted light is unshot.
+/// Before the first shot, all emitted light is unshot; that of lamps without area has arrived.
 Solution initial_solution(const PixmapModel& model);
+/// Adds what a lamp without area sends: it arrives, and its reflection is unshot.
+void add(const PixmapModel& model, const DirectLight& light, Solution& solution);
 
 dvec3 radiosity_at(const PixmapModel& model, const Solution& solution, std::size_t texel);
 

@@ -10,7 +10,7 @@
 namespace gw::radiosity {
 namespace {
 
-void add(dvec3& stored, const dvec3& more) {
+void add_to(dvec3& stored, const dvec3& more) {
     for (int c = 0; c < 3; ++c) stored[c] = storable(stored[c] + more[c]);
 }
 
@@ -141,8 +141,8 @@ void Solver::receive(Solution& solution) {
         incoming_[element] = dvec3(0);
         for (auto t = std::uint32_t(element); t != no_texel; t = model_->next_of_element[t]) {
             const dvec3 before = solution.H[t];
-            add(solution.H[t], density);
-            add(solution.unshot[t], model_->rho[t] * (solution.H[t] - before));
+            add_to(solution.H[t], density);
+            add_to(solution.unshot[t], model_->rho[t] * (solution.H[t] - before));
         }
     }
 }

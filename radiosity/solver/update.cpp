@@ -92,8 +92,14 @@ Update Solver::update(PixmapModel to, double tolerance) {
 
 // B = E + rho H: its change has not been sent.
 void Solver::change_materials(const PixmapModel& to) {
+    for (const DirectLight& light : to.direct) solution_.escaped += light.escaped;
+    for (const DirectLight& light : model_->direct) solution_.escaped -= light.escaped;
     for (std::size_t t = 0; t < to.texel_count(); ++t) {
         const dvec3 before = radiosity_at(*model_, solution_, t);
+        dvec3 direct(0);
+        for (const DirectLight& light : to.direct) direct += light.H[t];
+        for (const DirectLight& light : model_->direct) direct -= light.H[t];
+        for (int c = 0; c < 3; ++c) solution_.H[t][c] = storable(solution_.H[t][c] + direct[c]);
         model_->E[t] = to.E[t];
         model_->rho[t] = to.rho[t];
         const dvec3 more = radiosity_at(*model_, solution_, t) - before;
@@ -101,6 +107,7 @@ void Solver::change_materials(const PixmapModel& to) {
             solution_.unshot[t][c] = storable(solution_.unshot[t][c] + more[c]);
     }
     model_->figures = to.figures;
+    model_->direct = to.direct;
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/toml_film.h"
+#include "scene/toml/toml_luminous.h"
 #include "scene/toml/toml_objects.h"
 #include "scene/toml/toml_view.h"
 
@@ -79,6 +80,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
                {
                    key("name", scene.name),
                    color_key("background", scene.background),
+                   {"white", [&](const TomlValue& value) { scene.white = to_white(value); }},
                    key("texels", scene.texels_per_unit, texels_per_unit),
                    key("reflection_in_shadow", scene.reflection_in_shadow),
                    {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
@@ -103,14 +105,14 @@ SceneFile read_toml(const std::filesystem::path& path) {
         throw Error(path.string(), objects.empty() ? 0 : objects[0]->line,
                     "has nothing to draw; expected an [[object]] that is visible");
     for (const TomlValue* light : lights) {
-        scene.lights.push_back(to_light(*light));
+        scene.lights.push_back(to_light(*light, {scene.white, warnings}));
         if (const TomlValue* only = light->find("only")) check_names(*only, reader.names());
     }
     const dvec3 origin = far_origin(scene);
     if (origin != dvec3(0)) {
         count_from(scene, origin);
         for (std::size_t i = 0; i < lights.size(); ++i)
-            scene.lights[i] = to_light(*lights[i], origin);
+            scene.lights[i] = to_light(*lights[i], {scene.white, warnings, origin});
     }
     warn_invisible(scene, path.string(), warnings);
     warnings.add_file(path);

@@ -6,6 +6,7 @@
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/toml_luminous.h"
 
 #include <algorithm>
 #include <new>
@@ -53,14 +54,19 @@ PixmapChoice to_pixmap(const TomlValue& table) {
     PixmapChoice pixmap;
     pixmap.origin = {*table.file, table.line};
     vec3 emission(0);
+    double nit = 0;
     read_table(table, {
                           key("name", pixmap.name),
                           {"size", [&](const TomlValue& value) { read_sides(value, pixmap); }},
                           key("texels", pixmap.texels_per_unit, texels_per_unit),
                           key("st", pixmap.given_st, {{"automatic", false}, {"texcoords", true}}),
                           color_key("emission", emission),
+                          key("lumen", pixmap.lumen, {1e-9, 1e12}),
+                          key("nit", nit, {1e-9, 1e12}),
+                          color_key("color", pixmap.color),
                       });
     if (table.find("emission")) pixmap.emission = emission;
+    read_lamp(table, nit, pixmap);
     obey(table, fault_of(pixmap));
     return pixmap;
 }

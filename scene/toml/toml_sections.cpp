@@ -3,6 +3,7 @@
 
 #include "scene/scene_builder.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/toml_luminous.h"
 
 namespace gw::scene {
 namespace {
@@ -128,8 +129,9 @@ Fog to_fog(const TomlValue& table) {
     return fog;
 }
 
-Light to_light(const TomlValue& table, const dvec3& origin) {
+Light to_light(const TomlValue& table, const LightScene& scene) {
     Light light;
+    LuminousKeys luminous;
     if (!table.find("kind")) light.kind = kind_of(table);
     std::vector<Key> keys{
         key("name", light.name),
@@ -145,10 +147,12 @@ Light to_light(const TomlValue& table, const dvec3& origin) {
         {"only", [&](const TomlValue& value) { read_names(value, light.only); }},
     };
     visit_light(light, KeyList{keys});
+    add_luminous_keys(keys, luminous);
     read_table(table, keys);
     check_kind(table, light);
-    if (light.kind != LightKind::Directional && origin != dvec3(0))
-        light.position = vec3(to_dvec3(*table.find("position")) - origin);
+    read_luminous(table, luminous, scene, light);
+    if (light.kind != LightKind::Directional && scene.origin != dvec3(0))
+        light.position = vec3(to_dvec3(*table.find("position")) - scene.origin);
     return light;
 }
 

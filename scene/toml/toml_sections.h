@@ -2,6 +2,7 @@
 // key. Objects, which read files, are in toml_objects.h.
 #pragma once
 
+#include "scene/text/warnings.h"
 #include "scene/toml/read_scene.h"
 #include "scene/toml/toml_binder.h"
 
@@ -12,8 +13,14 @@ namespace gw::scene {
 SceneFile read_toml(const std::filesystem::path& path);
 
 Camera to_camera(const TomlValue& table);
-/// Its position is counted from `origin` (scene/geometry/far.h).
-Light to_light(const TomlValue& table, const dvec3& origin = dvec3(0));
+
+/// What of the scene a light's numbers need.
+struct LightScene {
+    double white;  ///< Scene::white
+    Warnings& warnings;
+    dvec3 origin = dvec3(0);  ///< positions are counted from it (scene/geometry/far.h)
+};
+Light to_light(const TomlValue& table, const LightScene& scene);
 Fog to_fog(const TomlValue& table);
 
 /// Changes the fields of `material` whose keys the table has.

@@ -5,6 +5,7 @@
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/text/warnings.h"
 #include "scene/toml/toml_binder.h"
 #include "scene/toml/toml_sections.h"
 
@@ -111,40 +112,43 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
     scene.name = path.stem().string();
     std::set<std::size_t> off;
     std::vector<Light> added;
+    Warnings warnings;
     bool fog = true;
-    read_table(file,
-               {
-                   {"base", [](const TomlValue&) {}},
-                   key("name", scene.name),
-                   {"camera",
-                    [&](const TomlValue& value) {
-                        scene.camera = to_camera(value);
-                        count_from(*scene.camera, result.origin);
-                    }},
-                   {"fog",
-                    [&](const TomlValue& value) {
-                        if (value.kind == TomlKind::Boolean)
-                            fog = value.boolean;
-                        else
-                            scene.fog = to_fog(value);
-                    }},
-                   {"lights_off",
-                    [&](const TomlValue& value) { off = to_places(value, scene.lights.size()); }},
-                   {"light",
-                    [&](const TomlValue& value) {
-                        if (value.kind != TomlKind::Array) value.fail_expected("[[light]]");
-                        for (const TomlValue& light : value.elements)
-                            added.push_back(to_light(light, result.origin));
-                    }},
-                   {"picture",
-                    [&](const TomlValue& value) {
-                        if (value.kind != TomlKind::Table) value.fail_expected("[picture]");
-                    }},
-               });
+    read_table(
+        file, {
+                  {"base", [](const TomlValue&) {}},
+                  key("name", scene.name),
+                  {"camera",
+                   [&](const TomlValue& value) {
+                       scene.camera = to_camera(value);
+                       count_from(*scene.camera, result.origin);
+                   }},
+                  {"fog",
+                   [&](const TomlValue& value) {
+                       if (value.kind == TomlKind::Boolean)
+                           fog = value.boolean;
+                       else
+                           scene.fog = to_fog(value);
+                   }},
+                  {"lights_off",
+                   [&](const TomlValue& value) { off = to_places(value, scene.lights.size()); }},
+                  {"light",
+                   [&](const TomlValue& value) {
+                       if (value.kind != TomlKind::Array) value.fail_expected("[[light]]");
+                       for (const TomlValue& light : value.elements)
+                           added.push_back(to_light(light, {scene.white, warnings, result.origin}));
+                   }},
+                  {"picture",
+                   [&](const TomlValue& value) {
+                       if (value.kind != TomlKind::Table) value.fail_expected("[picture]");
+                   }},
+              });
     if (!fog) scene.fog.reset();
     switch_off(scene, off);
     scene.lights.insert(scene.lights.end(), added.begin(), added.end());
     result.files.insert(result.files.begin(), path);
+    for (const std::string& line : warnings.lines()) result.warnings.push_back(line);
+    for (const std::filesystem::path& read : warnings.files()) result.files.push_back(read);
     return result;
 }
 

@@ -98,7 +98,8 @@ public:
 private:
     bool look_alike(const Faces& a, const Faces& b) const {
         const Object &x = scene_.objects[a.object], &y = scene_.objects[b.object];
-        return x.material == y.material && x.pixmap.emission == y.pixmap.emission;
+        return x.material == y.material && x.pixmap.emission == y.pixmap.emission &&
+               x.pixmap.lumen == y.pixmap.lumen;
     }
 
     bool meet(const Faces& small, const Faces& other) {
