@@ -17,7 +17,6 @@ void polymode(long mode) {
         return warn("polymode: mode " + std::to_string(mode) +
                     "; expected PYM_POINT, PYM_LINE, "
                     "PYM_FILL or PYM_HOLLOW; it is ignored");
-    if (mode == PYM_HOLLOW) warn("polymode: PYM_HOLLOW draws the edges of polygons, as PYM_LINE");
     state().polygon_mode = mode;
     apply_polygons();
 }

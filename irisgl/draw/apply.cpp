@@ -54,15 +54,10 @@ void apply_lines() {
     set(GL_POLYGON_SMOOTH, s.smooth.polygons);
 }
 
-namespace {
-
-/// The pattern that polygons have; null: none.
 const Pattern* pattern_now() {
     const auto found = program().patterns.find(state().now.pattern);
     return state().now.pattern != 0 && found != program().patterns.end() ? &found->second : nullptr;
 }
-
-}  // namespace
 
 void apply_pattern() {
     const Pattern* const pattern = pattern_now();
@@ -95,9 +90,9 @@ void apply_polygons() {
     set(GL_CULL_FACE, s.backface || s.frontface);
     glCullFace(s.backface && s.frontface ? GL_FRONT_AND_BACK : s.frontface ? GL_FRONT : GL_BACK);
     const long mode = s.polygon_mode;
-    glPolygonMode(GL_FRONT_AND_BACK, mode == PYM_POINT  ? GL_POINT
-                                     : mode == PYM_FILL ? GL_FILL
-                                                        : GL_LINE);
+    glPolygonMode(GL_FRONT_AND_BACK, mode == PYM_POINT                           ? GL_POINT
+                                     : mode == PYM_LINE || mode == PYM_LINE_FAST ? GL_LINE
+                                                                                 : GL_FILL);
     glShadeModel(s.now.shade_model == FLAT ? GL_FLAT : GL_SMOOTH);
 }
 

@@ -1,6 +1,7 @@
 // Gives OpenGL the state of the current window, group by group.
 #pragma once
 
+#include "irisgl/state/program.h"
 #include "irisgl/state/state.h"
 
 #include <functional>
@@ -13,6 +14,8 @@ void reset_all();
 void apply_viewport();
 void apply_lines();
 void apply_pattern();
+/// The pattern that polygons have; null: none.
+const Pattern* pattern_now();
 void apply_polygons();
 /// Draws polygons inside `pixels`, with a pattern of 64 x 64 bits square by square.
 void draw_in_pattern(const Bounds& pixels, const std::function<void()>& draw);

@@ -1,6 +1,7 @@
 #include "irisgl/draw/primitives.h"
 
 #include "irisgl/draw/apply.h"
+#include "irisgl/draw/hollow.h"
 #include "irisgl/draw/index_texture.h"
 #include "irisgl/draw/picking.h"
 #include "irisgl/draw/tessellate.h"
@@ -327,13 +328,19 @@ bool draw_smooth_line(Shape shape, std::span<const Vertex> vertices) {
     return true;
 }
 
-void draw_with_state(Shape shape, std::span<const Vertex> vertices, const Bounds& pixels) {
-    const auto draw = [&] {
-        draws_indices() ? draw_indices(shape, vertices) : draw_rgb(shape, vertices);
-    };
+void draw_colors(Shape shape, std::span<const Vertex> vertices) {
+    draws_indices() ? draw_indices(shape, vertices) : draw_rgb(shape, vertices);
+}
+
+void draw_with_state(Shape shape, std::span<const Vertex> vertices, const Bounds& pixels,
+                     std::optional<std::span<const Vertex>> hollow = {}) {
+    const auto draw = [&] { draw_colors(shape, vertices); };
     track(pixels);
     if (draw_smooth_line(shape, vertices)) return;
-    is_area(shape) ? draw_in_pattern(pixels, draw) : draw();
+    if (hollow && is_area(shape))
+        draw_hollow(shape, vertices, *hollow, draw_colors);
+    else
+        is_area(shape) ? draw_in_pattern(pixels, draw) : draw();
     if (state().draws_depth && state().draw_mode == NORMALDRAW && !gives_feedback() && !picks())
         draw_into_depths(shape, vertices);
 }
@@ -357,15 +364,18 @@ void draw_part(Shape shape, std::span<const Vertex> given, bool is_placed) {
     if (s.cue.on) cue(vertices);
     if (draws_indices() && s.bound.is_lit()) light_indices(vertices);
     if (s.now.shade_model == FLAT) flatten(shape, vertices);
+    if (!s.subpixel && !is_placed && !gives_feedback() && !picks())
+        snap_to_pixels(vertices, is_area(shape));
+    std::optional<std::vector<Vertex>> outline;
+    if (draws_hollow()) outline = shape == Shape::Polygon ? vertices : std::vector<Vertex>();
     if (shape == Shape::Polygon && s.concave && vertices.size() > 3) {
         vertices = tessellated(vertices);
         shape = Shape::Triangles;
     }
-    if (!s.subpixel && !is_placed && !gives_feedback() && !picks())
-        snap_to_pixels(vertices, is_area(shape));
     load_matrices();
     const bool needs_bounds = s.box.is_tracked || s.now.pattern != 0;
-    draw_with_state(shape, vertices, needs_bounds ? pixels_around(vertices) : Bounds{});
+    draw_with_state(shape, vertices, needs_bounds ? pixels_around(vertices) : Bounds{},
+                    outline ? std::optional<std::span<const Vertex>>(*outline) : std::nullopt);
 }
 
 void fill_pixels(const Bounds& p, double depth) {
@@ -379,7 +389,10 @@ void fill_pixels(const Bounds& p, double depth) {
     corners[1].p = {x(p.right + 1), y(p.bottom), depth, 1};
     corners[2].p = {x(p.right + 1), y(p.top + 1), depth, 1};
     corners[3].p = {x(p.left), y(p.top + 1), depth, 1};
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_CULL_FACE);
     draw_on_window([&] { draw_with_state(Shape::Polygon, corners, p); });
+    apply_polygons();
 }
 
 }  // namespace gw::irisgl
