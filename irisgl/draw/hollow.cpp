@@ -77,7 +77,7 @@ PixelSet pixels_inside(const std::vector<dvec2>& points) {
             if ((a.y > row) != (b.y > row))
                 sides.push_back(a.x + (row - a.y) * (b.x - a.x) / (b.y - a.y));
         }
-        std::ranges::sort(sides);
+        std::sort(sides.begin(), sides.end());
         for (std::size_t i = 0; i + 1 < sides.size(); i += 2)
             for (int x = box.left; x <= box.right; ++x)
                 if (x + 0.5 + right > sides[i] && x + 0.5 + right < sides[i + 1]) set.add(x, y);

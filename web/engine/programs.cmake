@@ -18,6 +18,13 @@ endfunction()
 made_doors(gl "entry_points.cpp;linked.cpp" functions.txt linked.txt)
 made_doors(irisgl entry_points.cpp functions.txt)
 
+set(prices ${root}/inspect/report/prices/vgx.toml)
+set(generate_prices ${root}/gl/record/generate_prices.py)
+add_custom_command(OUTPUT ${gl_made}/vgx_prices.h
+    COMMAND ${Python3_EXECUTABLE} ${generate_prices} ${prices} ${gl_made}/vgx_prices.h
+    DEPENDS ${generate_prices} ${prices} VERBATIM)
+add_custom_target(made_prices DEPENDS ${gl_made}/vgx_prices.h)
+
 # One library, no processes, no windows of X11.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/gl/*.cpp)
 list(FILTER sources EXCLUDE REGEX "/gl/(egl|glx|x11|osmesa|record|entry)/|/other_library.cpp$")
@@ -43,10 +50,12 @@ foreach(door IN LISTS doors)
     target_include_directories(engine_${door} SYSTEM PRIVATE ${GW_HEADERS}/opengl ${made})
     target_compile_definitions(engine_${door} PRIVATE GL_GLEXT_PROTOTYPES)
     set_target_properties(engine_${door} PROPERTIES EXCLUDE_FROM_ALL ON)
-    add_dependencies(engine_${door} made_gl made_irisgl)
+    add_dependencies(engine_${door} made_gl made_irisgl made_prices)
 endforeach()
 # Recorded calls have no place in the program: WebAssembly has no addresses of code.
-target_compile_options(engine_gl_entry PRIVATE "-D__builtin_return_address(level)=nullptr")
+foreach(door gl_entry irisgl)
+    target_compile_options(engine_${door} PRIVATE "-D__builtin_return_address(level)=nullptr")
+endforeach()
 target_include_directories(engine_irisgl PRIVATE ${irisgl_made} ${irisgl_made}/include
     ${root}/irisgl/include)
 
