@@ -12,7 +12,7 @@ namespace gw::image {
 /// Interleaved channels, bottom row first; each value is 0 .. 2^bits - 1.
 struct Picture {
     int width = 0, height = 0;
-    int channels = 3;  ///< 1 grey, 3 R, G, B
+    int channels = 3;  ///< 1 grey; 3 R, G, B; 4 and alpha, in PNG only
     int bits = 8;      ///< 1 .. 16
     std::vector<std::uint16_t> values;
     bool operator==(const Picture&) const = default;

@@ -126,7 +126,9 @@ bool write(const Writer& writer, const Picture& picture, const std::uint8_t* sam
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(picture.width),
                  static_cast<png_uint_32>(picture.height), stored_bits(picture),
-                 picture.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+                 picture.channels == 1   ? PNG_COLOR_TYPE_GRAY
+                 : picture.channels == 3 ? PNG_COLOR_TYPE_RGB
+                                         : PNG_COLOR_TYPE_RGB_ALPHA,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_compression_level(writer.png, compression);
     png_write_info(writer.png, writer.info);

@@ -1,7 +1,9 @@
 #include "apps/radiosity/light_maps.h"
 
+#include "apps/command/terminal.h"
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
+#include "image/rgbm.h"
 #include "image/write.h"
 #include "inspect/text/plural.h"
 #include "radiosity/display/light_atlas.h"
@@ -26,6 +28,17 @@ image::Picture shown(const radiosity::AtlasPage& page, const std::vector<float>&
         for (int c = 0; c < 3; ++c)
             picture.values.push_back(std::uint16_t(quantize(double(color[c]), 8)));
     }
+    return picture;
+}
+
+/// `scale` times the radiosity, linear.
+image::Picture in_rgbm(const radiosity::AtlasPage& page, const std::vector<float>& radiosities,
+                       double scale, double range) {
+    image::Picture picture{page.width, page.height, 4, 8, {}};
+    for (std::size_t i = 0; i < radiosities.size(); i += 3)
+        for (const std::uint8_t v : image::rgbm_of(
+                 scale * dvec3(radiosities[i], radiosities[i + 1], radiosities[i + 2]), range))
+            picture.values.push_back(v);
     return picture;
 }
 
@@ -71,6 +84,12 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
         for (const float v : values) brightest = std::max(brightest, double(v));
         const std::string name = fmt::format("{}light_map_{}", prefix, i + 1);
         out.pictures.push_back({name + ".png", name + ".exr", scale});
+        if (options.rgbm > 0) {
+            out.pictures.back().rgbm = name + "_rgbm.png";
+            out.pictures.back().range = options.rgbm;
+            image::put_picture(files.add(options.output / out.pictures.back().rgbm),
+                               in_rgbm(page, values, scale, options.rgbm));
+        }
         image::put_picture(files.add(options.output / (name + ".png")), shown(page, values, scale));
         put_page(options, page, std::move(values), name, files);
     }
@@ -79,6 +98,11 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
     const scene::GltfText text = scene::write_gltf(out, prefix + "light_maps.bin");
     files.add(options.output / (prefix + "light_maps.gltf")).write_text(text.json);
     files.add(options.output / (prefix + "light_maps.bin")).write_text(text.bytes);
+    if (options.rgbm > 0 && brightest * scale > options.rgbm)
+        print_warning(fmt::format(
+            "--rgbm {:.4g}: the brightest radiosity is {:.4g} times white; more than the range is cut "
+            "off",
+            options.rgbm, brightest * scale));
     return fmt::format(
         "{}; the brightest radiosity is {:.4g}, white in PNG is {:.4g}\n",
         inspect::plural(std::uint64_t(atlas.pages.size()), "light map", "light maps"), brightest,

@@ -144,6 +144,8 @@ void add_display(CLI::App& command, RadiosityOptions& o) {
         ->type_name("X,Y,Z");
     command.add_flag("--lightmaps", o.light_maps,
                      "Also the pixmaps for other programs: DIR/light_maps.gltf with its textures");
+    add_number(command, "--rgbm", o.rgbm, 1, 1000, "RANGE",
+               "With --lightmaps: also RGBM, light_map_1_rgbm.png ..., up to RANGE times white");
     add_whole(command, "--every", o.every, 1, 1000000000, "Also a picture after each N shots");
     command.add_flag("--no-ambient", o.no_ambient, "Do not show the estimate of unshot light");
     command.add_flag(
@@ -213,6 +215,8 @@ void check(const RadiosityOptions& options) {
     if (options.shares && !options.form_factor.empty())
         throw UsageError("--form-factor solves nothing; expected it without --shares");
     check_mix(options);
+    if (options.rgbm > 0 && !options.light_maps)
+        throw UsageError("--rgbm is a form of light maps; expected --lightmaps beside it");
     if (options.specular && options.display != "texture")
         throw UsageError("--specular draws pixmaps as textures; expected no --display beside it");
     if (!options.changes.empty() && options.save)

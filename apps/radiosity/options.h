@@ -45,6 +45,7 @@ struct RadiosityOptions {
     bool units = false;         ///< also writes each view in radiosity units and in false colours
     bool lux = false;           ///< also writes the illuminance in each view
     std::vector<dvec3> lux_at;  ///< points whose illuminance is printed
+    double rgbm = 0;            ///< above 0: light maps also as RGBM of this range
     bool light_maps = false;    ///< also writes the solution for other programs
     std::vector<std::string> form_factor;  ///< two names, or none
     std::vector<Change> changes;           ///< of the solved scene

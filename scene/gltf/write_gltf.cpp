@@ -16,6 +16,15 @@ using Json = nlohmann::ordered_json;
 
 enum : int { Float = 5126, ArrayBuffer = 34962, Linear = 9729, ClampToEdge = 33071 };
 
+Json extras_of(const WrittenPicture& picture) {
+    Json extras{{"exact", picture.exact}, {"scale", picture.scale}};
+    if (!picture.rgbm.empty()) {
+        extras["rgbm"] = picture.rgbm;
+        extras["range"] = picture.range;
+    }
+    return extras;
+}
+
 class Writer {
 public:
     explicit Writer(const WrittenScene& scene) : scene_(scene) {}
@@ -49,7 +58,7 @@ private:
                  {"pbrMetallicRoughness",
                   {{"baseColorTexture", {{"index", i}, {"texCoord", 1}}}, {"metallicFactor", 0}}},
                  {"extensions", {{"KHR_materials_unlit", Json::object()}}},
-                 {"extras", {{"exact", picture.exact}, {"scale", picture.scale}}}});
+                 {"extras", extras_of(picture)}});
         }
     }
 

@@ -16,6 +16,8 @@ struct WrittenPicture {
     std::string file;   ///< PNG or JPEG, encoded as in sRGB, from the file's folder
     std::string exact;  ///< the same values as EXR: `extras` of its material name it
     double scale = 1;   ///< of `exact` in `file`
+    std::string rgbm;   ///< the same values as RGBM, scaled too; "": none
+    double range = 0;   ///< of `rgbm`
 };
 
 struct WrittenMesh {

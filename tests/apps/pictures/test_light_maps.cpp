@@ -147,6 +147,31 @@ TEST_F(LightMaps, UnitsAreThePicturesRadiosities) {
     EXPECT_GT(lamp, 3);
 }
 
+/// The EXR has radiosities, RGBM 2^-0.5 of them, within the bound of image/rgbm.h.
+TEST_F(LightMaps, InRgbmAreTheExactOnesWithinTheirBound) {
+    const Outcome outcome =
+        gw({"radiosity", "box.toml", "-o", "rgbm", "--hemicube", "32", "--size", "64x48", "--shots",
+            std::to_string(shots), "--exposure", "-0.5", "--lightmaps", "--rgbm", "4"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Pixels exr = read_pixels(in("rgbm/light_map_1.exr")),
+                 png = read_pixels(in("rgbm/light_map_1_rgbm.png"));
+    ASSERT_EQ(png.channels, 4);
+    ASSERT_EQ(png.width, exr.width);
+    for (int y = 0; y < exr.height; ++y)
+        for (int x = 0; x < exr.width; ++x) {
+            const std::vector<float> B = exr.at(x, y), m = png.at(x, y);
+            const double most = std::sqrt(0.5) * double(std::max({B[0], B[1], B[2]}));
+            for (std::size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(double(m[c]) * double(m[3]) * 4, std::sqrt(0.5) * double(B[c]),
+                            (most + 4.0 / 255) / 510 * (1 + 1e-5));
+        }
+    const std::string gltf = bytes_of(in("rgbm/light_maps.gltf"));
+    EXPECT_NE(gltf.find("\"light_map_1_rgbm.png\""), gltf.npos);
+    expect_refused(2, {"radiosity", "box.toml", "-o", "no", "--rgbm", "4"},
+                   {"--lightmaps beside it"});
+}
+
 TEST_F(LightMaps, AreRefusedWithoutAPicture) {
     expect_refused(2, {"radiosity", "box.toml", "--form-factor", "lamp", "ball", "--lightmaps"},
                    {"--lightmaps"});
