@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace gw::radiosity {
 namespace {
@@ -53,7 +54,8 @@ void add_direct_light(const scene::Scene& scene, PixmapModel& model,
         const dvec3 lamp(light.position);
         const std::vector<dvec3> sums =
             directions(model, *factors, lamp, model.patches.size() + axes.size() * i);
-        DirectLight& direct = of_name(model.direct, light.name, model.texel_count());
+        const std::string name = light.name.empty() ? "light " + std::to_string(i + 1) : light.name;
+        DirectLight& direct = of_name(model.direct, name, model.texel_count());
         const dvec3 emitted = scene::luminous_flux(light);
         dvec3 arrived(0);
         for (std::size_t element = 0; element < sums.size(); ++element) {

@@ -106,8 +106,8 @@ GltfLight read_gltf_light(const GltfDocument& document, const JsonValue& table,
     return out;
 }
 
-std::vector<Light> exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
-                           const dvec3& center) {
+ExposedLights exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
+                      const dvec3& center) {
     double sum = 0;
     for (const GltfLight& light : lights) sum += at_point(light, center);
     const double divisor = std::max(sum, 1.0);
@@ -116,10 +116,13 @@ std::vector<Light> exposed(const GltfDocument& document, const std::vector<GltfL
                       "its lights give " + number_text(double(float(sum))) +
                           " times white in the middle of the scene; expected at most 1, "
                           "so all are divided by it");
-    std::vector<Light> out;
+    ExposedLights out{{}, lights.empty() ? 0 : pi * divisor};
     for (const GltfLight& light : lights) {
-        out.push_back(light.light);
-        out.back().Id = encoded(dvec3(light.light.Id) / divisor);
+        out.lights.push_back(light.light);
+        Light& shown = out.lights.back();
+        if (shown.kind != LightKind::Directional && shown.Id != vec3(0))
+            shown.luminous = Luminous{dvec3(shown.Id) * pi, nullptr, 0};
+        shown.Id = encoded(dvec3(light.light.Id) / divisor);
     }
     return out;
 }

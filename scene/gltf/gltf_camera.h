@@ -24,9 +24,15 @@ struct GltfLight {
 GltfLight read_gltf_light(const GltfDocument& document, const JsonValue& light,
                           const dmat4& world_from_node, const std::string& name);
 
-/// Encodes the lights' intensities as colours are. If they give more than 1 at `center`, all are
-/// divided by one number first, with a warning.
-std::vector<Light> exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
-                           const dvec3& center);
+struct ExposedLights {
+    std::vector<Light> lights;
+    double white = 0;  ///< Scene::white, in lux; 0: no lights
+};
+
+/// Encodes the lights' intensities as colours are: pi lux are white. If they give more at `center`, all
+/// are divided by one number first, with a warning, and so many times pi lux are white. Points and
+/// spots keep their candela as Luminous.
+ExposedLights exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
+                      const dvec3& center);
 
 }  // namespace gw::scene

@@ -74,6 +74,7 @@ public:
         warn_left_out();
         physical_.base *= dvec3(vec3(tint));
         set_words(physical_, out_.material);
+        out_.luminance = physical_.unlit ? physical_.base : physical_.emissive;
         if (physical_.unlit) std::swap(out_.material.map_Kd, out_.material.map_Ke);
         if (physical_.metallic > 0.5) out_.material.map_Ks = out_.material.map_Kd;
         return std::move(out_);

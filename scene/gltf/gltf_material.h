@@ -9,6 +9,7 @@ namespace gw::scene {
 struct GltfMaterial {
     Material material;
     std::size_t texcoord_set = 0;  ///< of its maps
+    dvec3 luminance{0};            ///< that it emits, linear, in nit
 };
 
 /// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as

@@ -1,5 +1,6 @@
 #include "scene/gltf/read_gltf.h"
 
+#include "gw/base/elementary.h"
 #include "gw/error.h"
 #include "scene/draw/fit.h"
 #include "scene/geometry/far.h"
@@ -138,8 +139,9 @@ private:
             document_.warn("no texcoords", "object '" + printable(name) +
                                                "' has no texture coordinates of set " +
                                                std::to_string(set) + " for its texture");
-        return {builder_.numbered(std::move(read.mesh), {document_.file(), 0}),
-                builder_.index_of(painted.material)};
+        const std::size_t index = builder_.index_of(painted.material);
+        if (painted.luminance != dvec3(0)) luminances_[index] = painted.luminance;
+        return {builder_.numbered(std::move(read.mesh), {document_.file(), 0}), index};
     }
 
     static bool hardware_map_of(const Material& m) {
@@ -198,7 +200,14 @@ private:
         Scene& scene = builder_.scene;
         const Bounds box = bounds(scene);
         const dvec3 center = box.low / 2.0 + box.high / 2.0;
-        scene.lights = exposed(document_, lights_, center);
+        ExposedLights shown = exposed(document_, lights_, center);
+        scene.lights = std::move(shown.lights);
+        scene.white = shown.white;
+        // Beside lights in candela, surfaces emit in the same unit.
+        if (scene.white > 0)
+            for (Object& object : scene.objects)
+                if (const auto nit = luminances_.find(object.material); nit != luminances_.end())
+                    object.pixmap.emission = vec3(pi * nit->second);
         if (scene.lights.empty())
             scene.lights.push_back(
                 default_light(scene.camera ? *scene.camera : fit_camera(box, 4, 3)));
@@ -223,6 +232,7 @@ private:
     std::list<GltfMaterial> list_;
     std::map<std::pair<std::string, std::array<float, 3>>, const GltfMaterial*> materials_;
     std::vector<GltfLight> lights_;
+    std::map<std::size_t, dvec3> luminances_;  ///< of materials that emit
     std::size_t numbers_ = 0;
     std::size_t place_ = 0;  ///< of the node that is being read
     GltfHolders holders_;

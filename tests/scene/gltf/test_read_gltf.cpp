@@ -221,6 +221,33 @@ TEST_F(Gltf, LightsBeyondWhiteAreDividedByOneNumber) {
             "m.gltf: its lights give 10 times white in the middle of the scene; expected at most 1, so all are divided by it"}));
 }
 
+/// pi lux are white; at the triangle, 3 cd 5 m away are less.
+TEST_F(Gltf, LampsKeepTheirCandelaForRadiosity) {
+    const Scene lamp = lit(R"(, "translation": [0, 5, 0])",
+                           R"({"type": "point", "intensity": 3, "color": [1, 0.5, 0]})");
+    ASSERT_TRUE(lamp.lights.at(0).luminous);
+    for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(lamp.lights[0].luminous->candela[c], 3 * (c == 0 ? 1 : c == 1 ? 0.5 : 0), 1e-6);
+    const Scene sun = lit("", R"({"type": "directional", "intensity": 31.41592653589793})");
+    EXPECT_NEAR(sun.white, 10 * std::acos(-1), 1e-5);
+    EXPECT_FALSE(sun.lights.at(0).luminous);
+    EXPECT_EQ(scene(triangle_gltf()).white, 0);  // without lights, light has no unit
+}
+
+TEST_F(Gltf, BesideLampsSurfacesEmitPiTimesTheirNit) {
+    std::string text =
+        replaced(triangle_gltf(), R"("mesh": 0)",
+                 R"("mesh": 0, "extensions": {"KHR_lights_punctual": {"light": 0}})");
+    text = replaced(text, R"("indices": 1)", R"("indices": 1, "material": 0)");
+    text = replaced(text, R"("scene": 0)",
+                    R"("scene": 0, "materials": [{"emissiveFactor": [1, 0.5, 0], "extensions":
+            {"KHR_materials_emissive_strength": {"emissiveStrength": 4}}}],
+            "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}})");
+    const Scene s = scene(text);
+    ASSERT_TRUE(s.objects.at(0).pixmap.emission);
+    EXPECT_NEAR_3(*s.objects[0].pixmap.emission, 4 * std::acos(-1), 2 * std::acos(-1), 0);
+}
+
 TEST_F(Gltf, TheFirstCameraIsTheEye) {
     std::string text = replaced(triangle_gltf(), R"("mesh": 0)",
                                 R"("mesh": 0, "camera": 0, "translation": [0, 0, 9])");
