@@ -3,8 +3,8 @@
 #include "apps/command/command.h"
 #include "gw/escape_controls.h"
 #include "radiosity/display/nearest_point.h"
-#include "radiosity/hemicube/direct_light.h"
 #include "radiosity/model/figures.h"
+#include "radiosity/solver/direct_light.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 #include "scene/obj/read_mtl.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
+#include "scene/toml/luminous/toml_luminous.h"
 #include "scene/toml/toml_film.h"
-#include "scene/toml/toml_luminous.h"
 #include "scene/toml/toml_objects.h"
 #include "scene/toml/toml_view.h"
 

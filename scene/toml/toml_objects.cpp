@@ -6,7 +6,7 @@
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
-#include "scene/toml/toml_luminous.h"
+#include "scene/toml/luminous/toml_luminous.h"
 
 #include <algorithm>
 #include <new>

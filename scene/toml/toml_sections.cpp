@@ -3,7 +3,7 @@
 
 #include "scene/scene_builder.h"
 #include "scene/text/text_file.h"
-#include "scene/toml/toml_luminous.h"
+#include "scene/toml/luminous/toml_luminous.h"
 
 namespace gw::scene {
 namespace {

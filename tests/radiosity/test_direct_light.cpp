@@ -1,5 +1,5 @@
 // Lamps in candela and lumen: illuminances in closed form.
-#include "radiosity/hemicube/direct_light.h"
+#include "radiosity/solver/direct_light.h"
 
 #include "gw/base/elementary.h"
 #include "radiosity/display/displayed_pixmaps.h"

@@ -1,5 +1,5 @@
-// Light maps of gw radiosity in another program: three.js draws their glTF in Chromium, as gw draws the
-// solution from the same eye.
+// Light maps of gw radiosity in another program: three.js draws their glTF in Chromium, as gw draws
+// the solution from the same eye.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -47,7 +47,7 @@ function embedded(folder: string): string {
 const encoded = (v: number) =>
   255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * Math.pow(v, 1 / 2.4) - 0.055);
 
-/** Differences by channel of the picture of gw, top row first, and of three.js, bottom row first. */
+/** Differences by channel of the pictures of gw, top row first, and three.js, bottom row first. */
 function differences(folder: string, drawn: number[]): number[] {
   const picture = decode(readFileSync(join(folder, 'picture.png')));
   const most = 2 ** picture.depth - 1;
@@ -80,8 +80,8 @@ describe('three.js', () => {
     rmSync(folder, { recursive: true });
   });
 
-  // In 8 bits the map is rounded by 1/2, the picture by 1/2, and a texture's weights are of 8 bits: 2
-  // in all. Pixels on outlines may show the other figure: 2 of 1000.
+  // In 8 bits the map is rounded by 1/2, the picture by 1/2, and a texture's weights are of 8 bits:
+  // 2 in all. Pixels on outlines may show the other figure: 2 of 1000.
   it.each(['cornell', 'sphere'])('shows the light of %s as gw does', async (name) => {
     execFileSync(gw, [
       ...['radiosity', join(scenes, `radiosity/${name}.toml`), '-o', folder, '--shots', '40'],

@@ -1,4 +1,4 @@
-#include "scene/toml/toml_luminous.h"
+#include "scene/toml/luminous/toml_luminous.h"
 
 #include "gw/base/elementary.h"
 #include "scene/read_ies.h"

@@ -1,4 +1,4 @@
-#include "radiosity/hemicube/direct_light.h"
+#include "radiosity/solver/direct_light.h"
 
 #include "gw/base/elementary.h"
 
