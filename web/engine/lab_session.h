@@ -5,7 +5,9 @@
 
 #include "gw/machine.h"
 #include "hiddensurface/run/compare.h"
+#include "image/picture.h"
 #include "inspect/replay/replayed.h"
+#include "inspect/shown/color_map.h"
 #include "raytrace/casting/casting.h"
 #include "render/drawing.h"
 #include "scene/draw/view.h"
@@ -50,6 +52,17 @@ public:
     Json plane(const Json& options);
     /// The history of the pixel `x`, `y` of passes(), as `gw pixel` prints it.
     Json history(const Json& options);
+    /// Reads the file `file`, a recording of a program, and takes its window `window`; none: the one
+    /// with most frames. Answers its windows, size and frames.
+    Json recording(const Json& options);
+    /// The frame `frame` of recording(), in at most `most` steps of some primitives each. Answers what
+    /// each step draws, its counters and estimated seconds, the plane that is drawn to, and whether
+    /// depths are used. plane() and events() are then of the steps: pass 0 is everything before the
+    /// frame.
+    Json frame(const Json& options);
+    /// What happened to the pixel `x`, `y` of frame(), step by step: fragments with their fate, and
+    /// commands that wrote to it without one.
+    Json events(const Json& options);
     /// A triangle of three `corners` in a window of `width` x `height` pixels, and all numbers of its
     /// pixel `x`, `y` (row 0 at the bottom) by the manual; the machine's own fragment as `machine`.
     Json pixel(const Json& options);
@@ -118,6 +131,8 @@ private:
     };
     Rays rays_for(const Json& options);
     const raytrace::RayCaster& caster_for(const Json& options);
+    /// A plane for the eye: through the colour map, if there is one.
+    image::Picture seen(const Planes& planes, Plane plane, const Profile& profile) const;
     /// Draws with what the last picture left that no eye changes; the same bits. Answers
     /// render::warnings of the first of these pictures, and a line if this one is empty.
     std::vector<std::string> draw_again(Machine& machine, const Json& options);
@@ -140,6 +155,9 @@ private:
     };
     std::map<std::string, Drawn> drawn_;  ///< by renderer; with machine_
     std::unique_ptr<inspect::Replayed> replayed_;
+    inspect::Recording recorded_;  ///< of a program
+    inspect::ColorMap map_;        ///< of what is replayed; 0 bits: colours are colours
+    Plane drawn_plane_ = Plane::Color;
     std::array<std::unique_ptr<Lighting>, 2> lightings_;  ///< gone on with, and solved again
     std::unique_ptr<RayScene> rays_;                      ///< of machine_
     std::string rays_key_;

@@ -11,6 +11,7 @@
 #include "web/engine/rgba.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gw::lab {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 Plane plane_from(const std::string& word) {
     for (const Plane plane : every_plane)
         if (word == name_of(plane)) return plane;
-    throw Error("plane '" + word + "'; expected color, depth, stencil or accum");
+    throw Error("plane '" + word + "'; expected color, depth, stencil, accum or back");
 }
 
 inspect::Replayed& kept(const std::unique_ptr<inspect::Replayed>& replayed) {
@@ -52,6 +53,7 @@ Json LabSession::passes(const Json& options) {
                           {"seconds", report::estimated_seconds(pass.counters, prices)}});
     }
     replayed_ = std::make_unique<inspect::Replayed>(std::move(recording));
+    map_ = {};
     std::vector<std::string> warnings = render::warnings(drawing);
     const std::string empty = render::empty_warning(drawing, *machine);
     if (!empty.empty()) warnings.push_back(empty);
@@ -59,6 +61,15 @@ Json LabSession::passes(const Json& options) {
             {"passes", passes},
             {"machine", prices.machine},
             {"warnings", warnings}};
+}
+
+image::Picture LabSession::seen(const Planes& planes, Plane plane, const Profile& profile) const {
+    const bool is_color = plane == Plane::Color || plane == Plane::Back;
+    if (map_.bits == 0 || !is_color) return image::plane_picture(planes, plane, profile);
+    const auto& indices = plane == Plane::Color ? planes.color : planes.back;
+    constexpr int bits = 8;
+    return image::picture_of(inspect::through_map(indices, map_), planes.width, planes.height,
+                             bits);
 }
 
 Json LabSession::plane(const Json& options) {
@@ -71,11 +82,11 @@ Json LabSession::plane(const Json& options) {
     const Profile& profile = replayed.recording().profile;
     const Planes before = replayed.planes_after(pass);
     const Planes& after = replayed.planes_after(pass + 1);
-    const image::Picture picture = image::plane_picture(after, plane, profile);
+    const image::Picture picture = seen(after, plane, profile);
     const auto apart = inspect::distances(before, after, plane);
     image::Change change{image::distance_picture(apart, after.width, after.height)};
-    if (plane == Plane::Color)
-        change = image::change_picture(image::plane_picture(before, plane, profile), picture);
+    if (plane == Plane::Color || plane == Plane::Back)
+        change = image::change_picture(seen(before, plane, profile), picture);
     picture_ = rgba_of(picture);
     change_ = rgba_of(change.picture);
     return {{"changed", std::count_if(apart.begin(), apart.end(),

@@ -44,7 +44,8 @@ set_source_files_properties(${irisgl_made}/entry_points.cpp PROPERTIES
     COMPILE_OPTIONS -fexceptions)
 engine_objects(gw::irisgl irisgl ${sources} ${irisgl_made}/entry_points.cpp)
 
-set(doors gl gl_entry osmesa irisgl)
+add_subdirectory(programs)
+set(doors gl gl_entry osmesa irisgl program_page)
 foreach(door IN LISTS doors)
     target_include_directories(engine_${door} PRIVATE ${PROJECT_BINARY_DIR})
     target_include_directories(engine_${door} SYSTEM PRIVATE ${GW_HEADERS}/opengl ${made})
@@ -59,7 +60,7 @@ endforeach()
 target_include_directories(engine_irisgl PRIVATE ${irisgl_made} ${irisgl_made}/include
     ${root}/irisgl/include)
 
-set(common gw gl gl_entry inspect)
+set(common gw gl gl_entry inspect program_page)
 list(TRANSFORM common REPLACE "(.+)" "$<TARGET_OBJECTS:engine_\\1>")
 add_library(OSMesa STATIC EXCLUDE_FROM_ALL ${common} $<TARGET_OBJECTS:engine_osmesa>)
 add_library(irisgl_library STATIC EXCLUDE_FROM_ALL ${common} $<TARGET_OBJECTS:engine_irisgl>)

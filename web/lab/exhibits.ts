@@ -8,6 +8,8 @@ import Passes from './passes/Passes.svelte';
 import { passesState } from './passes/state';
 import Pixel from './pixel/Pixel.svelte';
 import { pixelState } from './pixel/state';
+import Programs from './programs/Programs.svelte';
+import { programsState } from './programs/state';
 import Exercises from './quiz/Exercises.svelte';
 import { quizState } from './quiz/state';
 import Radiosity from './radiosity/Radiosity.svelte';
@@ -62,6 +64,15 @@ export const exhibits: readonly Exhibit[] = [
     keys: (words) => words.lab_keys_passes,
     firstScene: 'rings.toml',
     state: passesState,
+  }),
+  row({
+    id: 'programs',
+    component: Programs,
+    title: (words) => words.lab_programs,
+    keys: (words) => words.lab_keys_programs,
+    firstScene: 'hidden/cycle.toml',
+    hasOwnScenes: true,
+    state: programsState,
   }),
   row({
     id: 'rays',

@@ -1,4 +1,5 @@
 // Every visible word of the pages that is not a step's sentence, in English.
+import { programs } from './programs_en';
 import { report } from './report_en';
 
 export const en = {
@@ -93,6 +94,7 @@ export const en = {
   show_all: 'Show all',
   show_few: 'Show four',
   ...report,
+  ...programs,
   made_by: 'Made by',
   keys: 'Keys: ← → step, Shift decisive, Home End, space play, / search, p projector',
   legend_asked: 'asked',

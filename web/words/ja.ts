@@ -1,5 +1,6 @@
 // The same words in Japanese.
 import type { Words } from './en';
+import { programs } from './programs_ja';
 import { report } from './report_ja';
 
 export const ja: Words = {
@@ -94,6 +95,7 @@ export const ja: Words = {
   show_all: 'すべて表示',
   show_few: '四つ表示',
   ...report,
+  ...programs,
   made_by: '作成コマンド',
   keys: 'キー：← → ステップ、Shift 決め手、Home End、スペース 再生、/ 検索、p 投影用',
   legend_asked: '調べるもの',

@@ -16,6 +16,37 @@
   let isShown = false; // since the last turn
   let lastTurn = 0;
   let wake = () => {};
+  /** Tells lab.js what has happened. */
+  const tell = (what, more = {}) =>
+    dispatchEvent(new CustomEvent('gw-program', { detail: { what, ...more } }));
+
+  const words = {
+    en: {
+      loading: 'The program is loading.',
+      running: '',
+      ended: 'The program has ended.',
+      failed: 'It ended with {0}.',
+      stopped: 'The program was stopped: {0}',
+      close: 'Close',
+      said: 'What the program says',
+    },
+    ja: {
+      loading: 'プログラムを読み込んでいます。',
+      running: '',
+      ended: 'プログラムは終わりました。',
+      failed: '終了コード {0} で終わりました。',
+      stopped: 'プログラムが止まりました：{0}',
+      close: '閉じる',
+      said: 'プログラムの出力',
+    },
+  };
+  const word = (name, value) =>
+    (words[document.documentElement.lang] ?? words.en)[name].replace('{0}', value);
+  let now = ['loading'];
+  function showState(...named) {
+    now = named;
+    state.textContent = word(...named);
+  }
 
   const characters = {
     Enter: 13,
@@ -28,6 +59,7 @@
 
   function add(window, kind, code, values) {
     const last = window.events.at(-1);
+    if (kind === Button || kind === Pointer) window.pointer = values.slice(2);
     if (kind === Pointer && last?.kind === Pointer) window.events.pop(); // the newest counts
     window.events.push({ kind, code, values });
     wake();
@@ -42,6 +74,33 @@
     ];
   };
 
+  /** The right button, by keys or for a finger: it stays down until the menu's choice. */
+  function holdMenu(window, at) {
+    window.holdsMenu = true;
+    add(window, Button, '', [1, 2, ...at]);
+  }
+  /** Up again: where it was, or outside of every entry. */
+  function releaseMenu(window, at = window.pointer) {
+    if (!window.holdsMenu) return;
+    window.holdsMenu = false;
+    add(window, Button, '', [0, 2, ...at]);
+  }
+  const outside = [-1, -1];
+  const menuPlace = ({ canvas }) => [
+    Math.floor(canvas.width / 4),
+    Math.floor((canvas.height * 3) / 4),
+  ];
+  const strike = (window, event) => {
+    add(window, Key, event.code, [1, character(event), 0, 0]);
+    add(window, Key, event.code, [0, 0, 0, 0]);
+  };
+  /** Keys that wait until the program waits for events: its menu is open. */
+  let later = [];
+  function strikeLater() {
+    for (const { window, event } of later) strike(window, event);
+    for (const { window } of later.splice(0, Infinity)) releaseMenu(window);
+  }
+
   function listen(window) {
     const { canvas } = window;
     const key = (down) => (event) => {
@@ -49,7 +108,16 @@
       if (event.key === 'Tab') return; // leaves the window
       event.preventDefault();
       if (down && event.repeat) return;
+      if (event.key === 'ContextMenu' || (event.key === 'F10' && event.shiftKey)) {
+        if (down && !window.holdsMenu) holdMenu(window, menuPlace(window));
+        return;
+      }
+      if (event.key === 'Escape' && window.holdsMenu) {
+        if (!down) releaseMenu(window, outside); // the program's own Escape may be its end
+        return;
+      }
       add(window, Key, event.code, [Number(down), down ? character(event) : 0, 0, 0]);
+      if (event.key === 'Enter' && !down) releaseMenu(window);
     };
     const button = (down) => (event) => {
       if (down) {
@@ -57,6 +125,7 @@
         canvas.setPointerCapture(event.pointerId);
       }
       add(window, Button, '', [Number(down), event.button, ...point(window, event)]);
+      if (!down) releaseMenu(window);
     };
     canvas.addEventListener('keydown', key(true));
     canvas.addEventListener('keyup', key(false));
@@ -89,18 +158,19 @@
       const close = document.createElement('button');
       const canvas = document.createElement('canvas');
       close.textContent = '\u00d7';
-      close.title = close.ariaLabel = 'Close';
+      close.className = 'close';
+      close.title = close.ariaLabel = word('close');
       Object.assign(canvas, { width, height, tabIndex: 0 });
       canvas.setAttribute('role', 'application');
       caption.append(name, close);
       figure.append(caption, canvas);
       place.append(figure);
-      const window = { figure, name, canvas, events: [] };
+      const window = { figure, name, canvas, events: [], pointer: [0, 0], holdsMenu: false };
       windows.set(next, window);
       close.addEventListener('click', () => add(window, Close, '', [0, 0, 0, 0]));
       listen(window);
       this.name(next, title);
-      if (windows.size === 1) canvas.focus();
+      if (windows.size === 1 && parent === self) canvas.focus();
       return next++;
     },
     close(id) {
@@ -139,8 +209,37 @@
     take(id) {
       return windows.get(id).events.shift();
     },
+    /** A key of {code, key}, in the first window. */
+    press(event) {
+      const [window] = windows.values();
+      if (window) strike(window, event);
+    },
+    /** The menu of the first window; its entry of this number is chosen. 0: it stays open. */
+    menu(entry) {
+      const [window] = windows.values();
+      if (!window || window.holdsMenu) return;
+      holdMenu(window, menuPlace(window));
+      if (entry === 0) window.canvas.focus();
+      const down = { window, event: { code: 'ArrowDown', key: 'ArrowDown' } };
+      if (entry > 0)
+        later = [...Array(entry).fill(down), { window, event: { code: 'Enter', key: 'Enter' } }];
+    },
+    /** page_recorder.cpp: a recording is ready. */
+    recorded(file) {
+      tell('recorded', { bytes: FS.readFile(file) });
+    },
+    /** In another language. */
+    say(language) {
+      document.documentElement.lang = language;
+      for (const button of document.querySelectorAll('.close'))
+        button.title = button.ariaLabel = word('close');
+      said.ariaLabel = word('said');
+      showState(...now);
+    },
     /** Whether the program must let the browser work before it goes on. */
     mustTurn(milliseconds) {
+      const [window] = windows.values();
+      if (milliseconds > 0 && later.length && !window.events.length) strikeLater();
       return milliseconds > 0 || isShown || performance.now() - lastTurn > frameTime;
     },
     /** A picture is on the screen, an event is there, or the time is over. */
@@ -219,16 +318,19 @@
       },
     ],
     onExit(status) {
-      state.textContent = status === 0 ? 'The program has ended.' : `It ended with ${status}.`;
+      showState(status === 0 ? 'ended' : 'failed', status);
       document.body.dataset.status = String(status);
       showFiles();
+      tell('ended', { status });
     },
     onAbort(what) {
-      state.textContent = `The program was stopped: ${what}`;
+      showState('stopped', what);
       document.body.dataset.status = 'abort';
+      tell('ended', { status: -1 });
     },
     onRuntimeInitialized() {
-      state.textContent = '';
+      showState('running');
+      tell('running');
     },
   });
 })();

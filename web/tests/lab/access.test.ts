@@ -5,10 +5,10 @@ import { inChromium, open, thePage } from './page';
 
 inChromium();
 
-const exhibits = ['hidden', 'own', 'quiz', 'pixel', 'passes', 'rays', 'radiosity'];
+const exhibits = ['hidden', 'own', 'quiz', 'pixel', 'passes', 'programs', 'rays', 'radiosity'];
 it.each(exhibits)('axe-core finds nothing in %s', async (id) => {
   await open(`#lang=${id === 'hidden' ? 'ja' : 'en'}&exhibit=${id}&size=64x48`);
-  await thePage().waitForSelector('main canvas, main .question');
+  await thePage().waitForSelector('main canvas, main .question, main .record:enabled');
   expect(await barriersOf(thePage())).toEqual([]);
 });
 

@@ -50,8 +50,8 @@ export async function open(hash: string, width = 1280, height = 720): Promise<vo
   await page.waitForSelector('header');
 }
 
-/** What every exhibit shows, the quiz as well. */
-export const picture = 'canvas, .question img';
+/** What every exhibit shows, the quiz as well; a program in its frame. */
+export const picture = 'canvas, .question img, .window iframe';
 
 /** Chooses the exhibit by the word on its tab. */
 export const enter = (title: string) =>
