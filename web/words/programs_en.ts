@@ -70,7 +70,7 @@ export const programs = {
   program_lost: 'Killed by the depth test: {0}.',
   program_culled: 'Triangles that look away, dropped: {0}.',
   program_whole: 'The whole frame has {0}.',
-  program_time: 'Estimated time: {0} ({1}).',
+  program_time: 'Estimated time: {0}, on {1}.',
   program_depth_legend:
     'Red is nearest, then yellow, green and cyan, blue farthest; nothing is black.',
   program_no_depth: 'This frame does not use the Z-buffer.',

@@ -67,7 +67,7 @@ export const programs = {
   program_lost: 'デプステストで棄却 {0}。',
   program_culled: '裏を向いて捨てられた三角形 {0}。',
   program_whole: 'フレーム全体：{0}。',
-  program_time: '推定時間 {0}（{1}）。',
+  program_time: '推定時間 {0}、機種は {1}。',
   program_depth_legend: '赤が最も近く、黄、緑、水色と続き、青が最も遠い。何もなければ黒。',
   program_no_depth: 'このフレームは Zバッファを使いません。',
   program_ask_pixel: '画像の画素をクリックすると履歴が出ます。',

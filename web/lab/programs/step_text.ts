@@ -4,7 +4,11 @@ import type { Words } from '../../words/en';
 import type { FrameSeen, FrameStep } from './protocol';
 
 /** "3 polygons, 12 lines" */
-function things(of: Pick<FrameStep, 'polygons' | 'lines' | 'points'>, words: Words): string {
+function things(
+  of: Pick<FrameStep, 'polygons' | 'lines' | 'points'>,
+  language: string,
+  words: Words,
+): string {
   const named = [
     [of.polygons, words.program_polygons],
     [of.lines, words.program_lines],
@@ -12,7 +16,7 @@ function things(of: Pick<FrameStep, 'polygons' | 'lines' | 'points'>, words: Wor
   ] as const;
   return named
     .filter(([count]) => count > 0)
-    .map(([count, word]) => filled(word, count))
+    .map(([count, word]) => filled(word, count.toLocaleString(language)))
     .join(words.program_and);
 }
 
@@ -37,7 +41,7 @@ export function stepText(step: FrameStep, language: string, words: Words): strin
     case 'other':
       return words.program_other;
     case 'primitives':
-      return `${things(step, words)}${words.program_stop} ${fates(count, language, words)}`;
+      return `${things(step, language, words)}${words.program_stop} ${fates(count, language, words)}`;
   }
 }
 
@@ -51,7 +55,7 @@ export function wholeText(seen: FrameSeen, language: string, words: Words): stri
   };
   const time = timeText(sum((s) => s.seconds));
   return [
-    `${filled(words.program_whole, things(whole, words))}`,
+    `${filled(words.program_whole, things(whole, language, words))}`,
     fates(count, language, words),
     filled(words.program_time, time, seen.machine),
   ].join(' ');
