@@ -17,6 +17,7 @@ Case coincident_case(Random& random);
 Case cubes_case(Random& random);
 Case depth_case(Random& random);
 Case depth_textures_case(Random& random);
+Case diamond_lines_case(Random& random);
 Case everything_case(Random& random);
 Case fog_case(Random& random);
 Case fog_coordinate_case(Random& random);

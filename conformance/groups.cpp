@@ -140,6 +140,8 @@ const std::vector<Group>& all_groups() {
          points_case, 32, color, {&C::texels, &C::written}},
         {"samples", "surfaces with samples, drawn to and copied to the window", "R17.1-R17.7",
          samples_case, 48, color | depth | stencil, {&C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
+        {"diamond-lines", "lines and outlines by the diamond rule, of every width, stippled", "R9.34",
+         diamond_lines_case, 32, color | depth, {&C::clipped, &C::depth_killed, &C::texels, &C::written}},
     };
     return all;
 }

@@ -334,7 +334,8 @@ struct State {
     PointParameters point_parameters;
     /// Extension point_sprite: points are squares; TextureState::coord_replace
     bool point_sprite = false;
-    float line_width = 1;  ///< pixels, 1 .. 128; whole pixels unless smooth
+    float line_width = 1;        ///< pixels, 1 .. 128; whole pixels unless smooth
+    bool diamond_lines = false;  ///< lines without antialiasing have OpenGL's pixels. [GL11] 3.4.1
     /// Antialiasing, if the profile has coverage_bits: alpha is multiplied by the covered part of
     /// the pixel.
     bool point_smooth = false, line_smooth = false, polygon_smooth = false;

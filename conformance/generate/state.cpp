@@ -114,6 +114,10 @@ JitterState any_jitter(Random& r, const Profile& p) {
     return {r.between(-most, most), r.between(-most, most)};
 }
 
+LineStippleState any_dashes(Random& r) {
+    return {true, r.chance(70) ? r.between(1, 4) : r.between(1, 256), std::uint16_t(r.bits(16))};
+}
+
 PolygonOffsetState any_polygon_offset(Random& r, const Profile& p) {
     if (!p.extensions.polygon_offset) return {};
     const auto amount = [&r] {

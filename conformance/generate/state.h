@@ -20,6 +20,7 @@ CullState any_cull(Random& random);
 DepthState any_depth(Random& random);
 DepthRangeState any_depth_range(Random& random);
 JitterState any_jitter(Random& random, const Profile& profile);
+LineStippleState any_dashes(Random& random);
 PolygonOffsetState any_polygon_offset(Random& random, const Profile& profile);
 ScissorState any_scissor(Random& random, int width, int height);
 StencilState any_stencil(Random& random, const Profile& profile);

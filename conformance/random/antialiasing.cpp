@@ -12,10 +12,6 @@ float any_size(Random& r) {
     return float(r.chance(85) ? r.real(1, 6) : r.real(6, 128));
 }
 
-LineStippleState any_dashes(Random& r) {
-    return {true, r.chance(70) ? r.between(1, 4) : r.between(1, 256), std::uint16_t(r.bits(16))};
-}
-
 PolygonStippleState any_screen_door(Random& r) {
     std::array<std::uint32_t, 32> rows;
     for (std::uint32_t& row : rows) row = r.chance(50) ? 0xAAAAAAAA : r.bits(32);

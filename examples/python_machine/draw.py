@@ -60,6 +60,11 @@ class PixelStage:
             samples.draw(self, ready)
             return
         x, y = covered(ready.corners, self.box, self.state, s, ready.steps)
+        if len(ready.corners) == 2 and self.state.diamond_lines:
+            inner = np.array([antialiasing.has_center(ready.corners, int(i), int(j), s)
+                              for i, j in zip(x, y)], bool)
+            self.shade(ready, OuterFrame(ready.corners, s), x[~inner], y[~inner])  # [R9.34]
+            x, y = x[inner], y[inner]
         frame = Frame(ready.corners, s)
         if len(ready.corners) == 1 and self.state.point_sprite:
             frame.sprite_size = whole(ready.corners[0].vertex.point_size)

@@ -6,6 +6,7 @@ from . import antialiasing, fog, lighting, points, texture_coordinates
 from .numbers import (bounded, cross, divide, dot3, dot4, floor, quantize, clamp01, rne, to_integer,
                       transform, unit)
 from .primitives import identifier, primitives
+from .rasterization import line_columns
 from .state import (ClipDepth, ClipOrigin, ColorSource, Face, PolygonMode, ShadeModel, Winding,
                     viewport_of)
 
@@ -225,17 +226,6 @@ def area2(p, q, r):
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X)
 
 
-def line_steps(corners, s):
-    """[R9.20] The number of columns or rows of a line."""
-    a, b = corners
-    x_major = abs(b.X - a.X) >= abs(b.Y - a.Y)
-    start, end = (a.X, b.X) if x_major else (a.Y, b.Y)
-    half = 1 << (s - 1)
-    if start <= end:
-        return -((half - end) >> s) + ((half - start) >> s)
-    return ((start - half) >> s) - ((end - half) >> s)
-
-
 def pieces(corners, area):
     """[R6.25], [R6.26] The pieces that make fragments."""
     n = len(corners)
@@ -361,8 +351,9 @@ class PrimitiveStage:
     def count_steps(self, corners):
         """[R9.20]"""
         if len(corners) == 2:
-            count = antialiasing.steps if self.state.line_smooth else line_steps
-            self.steps += count(corners, self.profile.subpixel_bits)
+            s = self.profile.subpixel_bits
+            self.steps += (antialiasing.steps(corners, s) if self.state.line_smooth
+                           else len(line_columns(corners, self.state, s)))
 
     def ready(self, primitive, corners, front, filled):
         """[R6.22] jitter; [R6.6], [R6.13] colours."""

@@ -24,7 +24,7 @@ def covered(corners, box, state, s, steps=0):
     if len(corners) == 3:
         return stippled_pixels(*piece_pixels(corners, box, s), state.polygon_stipple)
     if len(corners) == 2:
-        return line_pixels(corners, box, whole(state.line_width), s, state.line_stipple, steps)
+        return line_pixels(corners, box, state, s, steps)
     return point_pixels(corners[0], box, whole(corners[0].vertex.point_size), s)
 
 
@@ -80,10 +80,48 @@ def doubled_area(a, b, c):
     return (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X)
 
 
-def line_pixels(corners, box, width, s, stipple, steps):
-    """[R9.3], [R9.4], [R9.20]"""
+def is_x_major(corners):
+    """[R9.3]"""
+    a, b = corners
+    return abs(b.X - a.X) >= abs(b.Y - a.Y)
+
+
+def diamond_column(corner, x_major, width, s):
+    """[R9.34] The column, or row, in whose diamond a corner lies; None: in none."""
+    half = 1 << (s - 1)
+    x, y = corner.X, corner.Y
+    if x_major:
+        y -= (width - 1) * half
+    else:
+        x -= (width - 1) * half
+    i, j = (x - 1) >> s, y >> s
+    dx, dy = x - centers(i, s), y - centers(j, s)
+    inside = dx + abs(dy) <= half if dx > 0 else abs(dx) + abs(dy) < half
+    return (i if x_major else j) if inside else None
+
+
+def line_columns(corners, state, s):
+    """[R9.4], [R9.34] The columns of a line, or its rows, from corner 0 on."""
+    x_major = is_x_major(corners)
+    start, end = ((c.X if x_major else c.Y) for c in corners)
+    half = 1 << (s - 1)
+    if not state.diamond_lines:
+        if start <= end:
+            return range(-((half - start) >> s), -((half - end) >> s))
+        return range((start - half) >> s, (end - half) >> s, -1)
+    low, high = sorted((start, end))
+    columns = set(range(-((half - low) >> s), -((half - high) >> s)))
+    first, last = (diamond_column(c, x_major, whole(state.line_width), s) for c in corners)
+    if first is not None:
+        columns.add(first)
+    columns.discard(last)
+    return sorted(columns, reverse=end < start)
+
+
+def line_pixels(corners, box, state, s, steps):
+    """[R9.3], [R9.4], [R9.20], [R9.34]"""
     first, second = corners
-    x_major = abs(second.X - first.X) >= abs(second.Y - first.Y)
+    x_major, width, stipple = is_x_major(corners), whole(state.line_width), state.line_stipple
     if x_major:
         x0, y0, x1, y1 = first.X, first.Y, second.X, second.Y
         low, high, rows = box[0], box[2], (box[1], box[3])
@@ -91,16 +129,18 @@ def line_pixels(corners, box, width, s, stipple, steps):
         x0, y0, x1, y1 = first.Y, first.X, second.Y, second.X
         low, high, rows = box[1], box[3], (box[0], box[2])
     dx, dy = x1 - x0, y1 - y0
-    column = np.arange(low, high, dtype=np.int64)
-    px = centers(column, s)
-    inside = (px >= x0) & (px < x1) if dx > 0 else (px > x1) & (px <= x0)
-    if stipple.enable and dx != 0:
-        half = 1 << (s - 1)
-        n = column + ((half - x0) >> s) if dx > 0 else ((x0 - half) >> s) - column
+    column = np.array(line_columns(corners, state, s), np.int64)
+    n = np.arange(len(column))
+    inside = (column >= low) & (column < high)
+    if stipple.enable:
         inside &= (stipple.pattern >> ((n + steps) // stipple.factor % 16) & 1) != 0
-    column, px = column[inside], px[inside]
+    column = column[inside]
+    if len(column) == 0:
+        return no_pixels()
     sign = 1 if dx > 0 else -1
-    numerator = sign * (y0 * dx + dy * (px - x0) - (width - 1) * 2**(s - 1) * dx)
+    numerator = sign * (y0 * dx + dy * (centers(column, s) - x0) - (width - 1) * 2**(s - 1) * dx)
+    if state.diamond_lines and not (x_major and dx * dy > 0):
+        numerator -= 1
     row = numerator // (sign * dx * 2**s)
     major = np.repeat(column, width)
     minor = (row[:, None] + np.arange(width)).ravel()

@@ -339,6 +339,7 @@ class State:
     point_sprite: bool = False
     coord_replace: bool = False
     multisample: Multisample = field(default_factory=Multisample)
+    diamond_lines: bool = False
     more_textures: Any = None  # states that have the members of textures only [R10.37]
 
     def of_unit(self, unit):

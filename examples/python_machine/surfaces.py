@@ -65,6 +65,7 @@ def state_on(surface, state, number):
         state.stencil = replace(state.stencil, test=False, front=front)
     if len(surface.samples) > 1 and state.multisample.enable:  # [R17.2]
         state.point_smooth = state.line_smooth = state.polygon_smooth = False
+        state.diamond_lines = False
     return state
 
 

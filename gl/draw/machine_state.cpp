@@ -102,6 +102,7 @@ void set_sizes(gw::State& out, const State& s, const Profile& profile) {
                                 .max_size = clamped_size(s.point.max_size)};
     out.point_sprite = has.point_sprite && s.point.sprite;
     out.line_width = machine_size(s.line.width, out.line_smooth);
+    out.diamond_lines = true;
 }
 
 void set_rasterization(gw::State& out, const State& s, const Extensions& has) {

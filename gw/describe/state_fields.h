@@ -306,6 +306,7 @@ inline constexpr auto fields_of<State> = std::tuple(
     field("point_sprite", &State::point_sprite, "R9.32", "Points are squares with a texture.",
           restricted("extension")),
     field("line_width", &State::line_width, "R9.4, R9.26", "Pixels, 1 .. 128.", within(1, 128)),
+    field("diamond_lines", &State::diamond_lines, "R9.34", "Lines by the diamond rule."),
     field("point_smooth", &State::point_smooth, "R9.23", "Antialiased points.",
           restricted("extension `antialiasing`")),
     field("line_smooth", &State::line_smooth, "R9.23", "Antialiased lines.",

@@ -36,10 +36,8 @@ SnappedTriangle snapped_triangle(const std::array<WindowVertex, 3>& v, const Jit
 
 SnappedLine snapped_line(const WindowVertex& a, const WindowVertex& b, const JitterState& jitter,
                          int subpixel_bits) {
-    SnappedLine l{
-        {a.x + jitter.x, b.x + jitter.x}, {a.y + jitter.y, b.y + jitter.y}, true, subpixel_bits};
-    l.x_major = std::abs(l.x[1] - l.x[0]) >= std::abs(l.y[1] - l.y[0]);
-    return l;
+    const LineEnds ends{{a.x + jitter.x, b.x + jitter.x}, {a.y + jitter.y, b.y + jitter.y}};
+    return {ends, ends.x_major(), subpixel_bits};
 }
 
 namespace {
@@ -86,33 +84,33 @@ void cover_triangle(const SnappedTriangle& t, const Rect& box, const PixelSink& 
             if (covers(t, x, y)) pixel(x, y);
 }
 
-void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel) {
+void cover_line(const SnappedLine& line, const LineRule& rule, const Rect& box,
+                const PixelSink& pixel) {
     // u is the coordinate along the major axis, v the other.
     const int s = line.subpixel_bits;
     const auto& u = line.x_major ? line.x : line.y;
     const auto& v = line.x_major ? line.y : line.x;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0];
     if (du == 0) return;  // no length, because |du| >= |dv|
-    const auto [u0, u1] =
-        pixel_range(std::min(u[0], u[1]), std::max(u[0], u[1]), s, line.x_major ? box.x : box.y,
-                    line.x_major ? box.width : box.height);
+    const LineSteps steps = line_steps(line, rule);
+    const int u_low = line.x_major ? box.x : box.y,
+              u_high = u_low + (line.x_major ? box.width : box.height);
     const int v_low = line.x_major ? box.y : box.x,
               v_high = v_low + (line.x_major ? box.height : box.width);
-    for (int i = u0; i < u1; ++i) {
-        // The last point is left out, in either direction.
-        const std::int64_t p = center(i, s);
-        if (du > 0 ? p < u[0] || p >= u[1] : p > u[0] || p <= u[1]) continue;
+    for (std::int64_t i = std::max<std::int64_t>(steps.low(), u_low);
+         i < std::min<std::int64_t>(steps.high(), u_high); ++i) {
         // The first row is floor((v(p) - (width - 1) 2^(s-1)) / 2^s) with the exact
         // v(p) = v0 + dv (p - u0) / du.
         const std::int64_t d = std::abs(du);
-        const std::int64_t v_times_d = v[0] * d + (du > 0 ? dv : -dv) * (p - u[0]);
-        const std::int64_t first = floor_div(v_times_d - (width - 1) * (d << s) / 2, d << s);
+        const std::int64_t v_times_d = v[0] * d + (du > 0 ? dv : -dv) * (center(i, s) - u[0]);
+        const std::int64_t below = (rule.width - 1) * (d << s) / 2 + boundary_step(line, rule);
+        const std::int64_t first = floor_div(v_times_d - below, d << s);
         for (int j = int(std::max<std::int64_t>(first, v_low));
-             j < std::min<std::int64_t>(first + width, v_high); ++j) {
+             j < std::min<std::int64_t>(first + rule.width, v_high); ++j) {
             if (line.x_major)
-                pixel(i, j);
+                pixel(int(i), j);
             else
-                pixel(j, i);
+                pixel(j, int(i));
         }
     }
 }

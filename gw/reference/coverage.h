@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gw/base/types.h"
+#include "gw/stages/raster/lines.h"
 #include "gw/stages/window.h"
 
 #include <array>
@@ -20,9 +21,8 @@ struct SnappedTriangle {
     int subpixel_bits = 3;
 };
 
-struct SnappedLine {
-    std::array<std::int64_t, 2> x{}, y{};  ///< first and second end
-    bool x_major = true;                   ///< |dx| >= |dy|
+struct SnappedLine : LineEnds {
+    bool x_major = true;  ///< |dx| >= |dy|
     int subpixel_bits = 3;
 };
 
@@ -50,8 +50,9 @@ bool covers(const SnappedTriangle& triangle, int x, int y);
 /// Calls `pixel` for each pixel of `box` whose centre is inside by the top-left rule, row by row
 /// from the bottom.
 void cover_triangle(const SnappedTriangle& triangle, const Rect& box, const PixelSink& pixel);
-/// A line, `width` pixels wide along its minor axis, without its last point.
-void cover_line(const SnappedLine& line, int width, const Rect& box, const PixelSink& pixel);
+/// A line, `rule.width` pixels wide along its minor axis.
+void cover_line(const SnappedLine& line, const LineRule& rule, const Rect& box,
+                const PixelSink& pixel);
 /// Whether a pixel's centre lies between the ends of a line along its major axis, ends included.
 bool is_between_ends(const SnappedLine& line, int x, int y);
 /// A square of `size` pixels around a snapped point.

@@ -4,6 +4,7 @@
 #include "gw/reference/smooth.h"
 #include "gw/stages/fan.h"
 #include "gw/stages/polygon_offset.h"
+#include "gw/stages/raster/lines.h"
 #include "gw/stages/raster/points.h"
 #include "gw/stages/stipple.h"
 #include "gw/stages/texgen.h"
@@ -132,12 +133,10 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
 }
 
 /// The steps of a line before the jitter, so that all samples of a strip count alike.
-std::uint64_t unjittered_steps(const WindowVertex& a, const WindowVertex& b,
-                               const SnappedLine& line, bool smooth) {
-    if (smooth) return std::uint64_t(smooth_steps(b.x - a.x, b.y - a.y, line.subpixel_bits));
-    const LineSteps steps = line.x_major ? line_steps(a.x, b.x, line.subpixel_bits)
-                                         : line_steps(a.y, b.y, line.subpixel_bits);
-    return std::uint64_t(steps.count);
+std::uint64_t unjittered_steps(const WindowVertex& a, const WindowVertex& b, const LineRule& rule,
+                               bool smooth) {
+    if (smooth) return std::uint64_t(smooth_steps(b.x - a.x, b.y - a.y, rule.subpixel_bits));
+    return std::uint64_t(line_steps({{a.x, b.x}, {a.y, b.y}}, rule).count);
 }
 
 /// A line, clipped on its own, even if it is the edge of a polygon.
@@ -162,7 +161,8 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
     Shader shade = shader(d, corners, plane, s);
     const bool smooth = d.state().line_smooth;
     const std::uint64_t before = stippled;
-    stippled += unjittered_steps(corners[0].window, corners[1].window, line, smooth);
+    const LineRule rule = line_rule(d.state(), d.subpixel_bits());
+    stippled += unjittered_steps(corners[0].window, corners[1].window, rule, smooth);
     if (smooth) return draw_smooth_line(shade, line, before);
     const LineStippleState& stipple = d.state().line_stipple;
     cover_pixels(
@@ -170,13 +170,12 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
         [&](const JitterState& jitter, const PixelSink& pixel) {
             const SnappedLine l =
                 snapped_line(corners[0].window, corners[1].window, jitter, d.subpixel_bits());
-            const LineSteps steps = l.x_major ? line_steps(l.x[0], l.x[1], l.subpixel_bits)
-                                              : line_steps(l.y[0], l.y[1], l.subpixel_bits);
-            cover_line(l, whole_size(d.state().line_width), d.context.state.draw_box,
-                       [&](int x, int y) {
-                           const auto step = std::uint64_t(steps.step_of(l.x_major ? x : y));
-                           if (!stipple.enable || stipple_bit(stipple, before + step)) pixel(x, y);
-                       });
+            const LineSteps steps = line_steps(l, rule);
+            cover_line(l, rule, d.context.state.draw_box, [&](int x, int y) {
+                const auto step = std::uint64_t(steps.step_of(l.x_major ? x : y));
+                if (stipple.enable && !stipple_bit(stipple, before + step)) return;
+                step == 0 && steps.outer_first ? shade.outside_pixel(x, y, 0) : pixel(x, y);
+            });
         },
         [&](int x, int y) { return is_between_ends(line, x, y); });
 }

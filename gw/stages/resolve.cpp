@@ -72,7 +72,7 @@ void resolve_samples(State& s, int samples) {
     if (samples == 1 || !s.multisample.enable)
         s.multisample = {.enable = false};
     else
-        s.point_smooth = s.line_smooth = s.polygon_smooth = false;
+        s.point_smooth = s.line_smooth = s.polygon_smooth = s.diamond_lines = false;
 }
 
 Resolved resolve(const State& state, const Profile& profile, int width, int height, int samples) {

@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/fragments/fragments-inl.h"
+#include "gw/fast/raster/outer_frame.h"
 #include "gw/fast/raster/shape_coverage.h"
 #include "gw/fast/shade/batch-inl.h"
 
@@ -32,20 +33,7 @@ HWY_INLINE void cover_alpha(const TileDraw& draw, const CoverageBlock& coverage,
         alpha[i] = covered_alpha(alpha[i], coverage.lane[i], bits);
 }
 
-/// A primitive's frame at one pixel whose centre is an outer one: planes are constant there.
-HWY_INLINE PrimitiveFrame outer_frame(const TileDraw& draw, const PrimitiveFrame& frame, int bx,
-                                      int by, int lane) {
-    const auto center = [&](int pixel) {
-        return (std::int64_t{pixel} << frame.s) + (std::int64_t{1} << (frame.s - 1));
-    };
-    PrimitiveFrame at = frame;
-    at.limited = true;
-    at.pixel_x = center(draw.tile.x + bx * block_side + lane % block_side);
-    at.pixel_y = center(draw.tile.y + by * block_side + lane / block_side);
-    return at;
-}
-
-/// The colour of that pixel, the lane of `mask`.
+/// The colour of a pixel with an outer centre, the lane of `mask`.
 HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
                                                   const SetupPrimitive& primitive,
                                                   const PrimitiveFrame& at, int bx, int by,

@@ -161,7 +161,7 @@ void Scan::use_state(const State& state) {
     if (state_) return;
     Resolved resolved = resolve(state, *profile_, surface_);
     const FragmentBytes bytes = fragment_bytes(resolved, *profile_);
-    const GeometryState geometry = geometry_state(resolved.state);
+    const GeometryState geometry = geometry_state(resolved.state, profile_->subpixel_bits);
     const std::uint64_t geometry_hash = hash_of(geometry);
     state_ = &states_.emplace_back(ScannedState{&state, std::move(resolved), bytes,
                                                 share(geometry, geometry_hash), geometry_hash});

@@ -17,9 +17,14 @@ bool is_special(const State& s) {
            draws_to_both(s) || sizes_points(s) || s.point_sprite;
 }
 
+/// Records know no outer pixels.
+bool has_outer_pixels(const DrawOp& op) {
+    return op.state.state.diamond_lines && op.set->triangle_count != op.set->primitives.size();
+}
+
 bool may_share(const DrawOp& op) {
     const State& s = op.state.state;
-    if (has_rare_values(op)) return false;
+    if (has_rare_values(op) || has_outer_pixels(op)) return false;
     const StencilFace& face = op.state.front;
     const bool counts_visible = face.func == StencilFunc::Always && face.zfail == StencilOp::Keep;
     return s.depth.func == DepthFunc::Equal && !is_special(s) && !op.units &&

@@ -9,7 +9,9 @@
 #endif
 
 #include "gw/fast/raster/corners-inl.h"
+#include "gw/fast/raster/outer_frame.h"
 #include "gw/fast/simd/walk-inl.h"
+#include "gw/stages/raster/lines.h"
 #include "gw/stages/stipple.h"
 
 #include <algorithm>
@@ -56,8 +58,10 @@ struct Floor {
     }
 };
 
-/// Rows from floor((v(p) - (width - 1) 2^(s-1)) / 2^s) in each column whose centre the line passes.
-inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width, PixelSet& out) {
+/// Rows from floor((v(p) - (width - 1) 2^(s-1)) / 2^s) in each column of the line; those of its outer
+/// column apart.
+inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, const LineRule& rule,
+                        PixelSet& inner, PixelSet& outer) {
     const int s = f.s;
     const auto& u = f.x_major ? f.x : f.y;
     const auto& v = f.x_major ? f.y : f.x;
@@ -66,20 +70,16 @@ inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width
     const BlockBox& b = draw.box;
     const int v0 = f.x_major ? b.y0 : b.x0, v1 = f.x_major ? b.y1 : b.x1;
     const std::int64_t du = u[1] - u[0], dv = v[1] - v[0], row = f.length << s;
-    const std::int64_t half = std::int64_t{1} << (s - 1);
-    // The start is inside, the end outside: columns whose centre is u[0] <= p < u[1], or
-    // u[1] < p <= u[0].
-    const auto column_from = [&](std::int64_t p) { return ((p - half - 1) >> s) + 1 - u_tile; };
-    const auto first_column = du > 0 ? column_from(u[0]) : column_from(u[1] + 1),
-               end_column = du > 0 ? column_from(u[1]) : column_from(u[0] + 1);
-    const auto begin = std::max<std::int64_t>(first_column, f.x_major ? b.x0 : b.y0),
-               end = std::min<std::int64_t>(end_column, f.x_major ? b.x1 : b.y1);
+    const LineEnds ends{{f.x[0], f.x[1]}, {f.y[0], f.y[1]}};
+    const LineSteps steps = line_steps(ends, rule);
+    const auto begin = std::max<std::int64_t>(steps.low() - u_tile, f.x_major ? b.x0 : b.y0),
+               end = std::min<std::int64_t>(steps.high() - u_tile, f.x_major ? b.x1 : b.y1);
     if (begin >= end) return;
     const LineStippleState& stipple = draw.op->state.state.line_stipple;
-    const LineSteps steps = line_steps(u[0], u[1], s);
     const std::int64_t slope = du > 0 ? dv : -dv;
-    const std::int64_t p = ((u_tile + begin) << s) + half;
-    Floor top(v[0] * f.length + slope * (p - u[0]) - (width - 1) * row / 2, row);
+    const std::int64_t p = ((u_tile + begin) << s) + (std::int64_t{1} << (s - 1));
+    const std::int64_t below = (rule.width - 1) * row / 2 + boundary_step(ends, rule);
+    Floor top(v[0] * f.length + slope * (p - u[0]) - below, row);
     const Floor step(slope << s, row);
     for (int i = int(begin); i < int(end); ++i) {
         const std::int64_t first = top.whole - v_tile;
@@ -89,8 +89,9 @@ inline void line_pixels(const TileDraw& draw, const PrimitiveFrame& f, int width
         if (stipple.enable &&
             !stipple_bit(stipple, f.stippled + std::uint64_t(steps.step_of(u_tile + i))))
             continue;
+        PixelSet& out = steps.outer_first && u_tile + i == steps.first ? outer : inner;
         for (std::int64_t j = std::max<std::int64_t>(first, v0);
-             j < std::min<std::int64_t>(first + width, v1); ++j)
+             j < std::min<std::int64_t>(first + rule.width, v1); ++j)
             f.x_major ? out.add(i, int(j)) : out.add(int(j), i);
     }
 }
@@ -107,16 +108,30 @@ inline void point_pixels(const TileDraw& draw, const PrimitiveFrame& f, int size
             out.add(int(i), int(j));
 }
 
+/// Calls visit(bx, by, lanes) for the pixels whose centre is no outer one, then
+/// visit_outer(frame, bx, by, lane) for each other pixel, with its frame.
+template <class Visit, class VisitOuter>
+inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& frame,
+                                const Visit& visit, const VisitOuter& visit_outer) {
+    PixelSet inner(draw.tile.side / block_side), outer(draw.tile.side / block_side);
+    const State& s = draw.op->state.state;
+    if (frame.kind == MeshKind::Lines)
+        line_pixels(draw, frame, line_rule(s, frame.s), inner, outer);
+    else
+        point_pixels(draw, frame, whole_size(frame.point_size), inner);
+    inner.visit(visit);
+    outer.visit([&](int bx, int by, const LaneSet& lanes) {
+        for (std::uint32_t rest = lanes.bits(); rest != 0; rest &= rest - 1) {
+            const int lane = std::countr_zero(rest);
+            visit_outer(outer_frame(draw, frame, bx, by, lane), bx, by, lane);
+        }
+    });
+}
+/// Of lines and points without outer pixels.
 template <class Visit>
 inline void visit_line_or_point(const TileDraw& draw, const PrimitiveFrame& frame,
                                 const Visit& visit) {
-    PixelSet pixels(draw.tile.side / block_side);
-    const State& s = draw.op->state.state;
-    if (frame.kind == MeshKind::Lines)
-        line_pixels(draw, frame, whole_size(s.line_width), pixels);
-    else
-        point_pixels(draw, frame, whole_size(frame.point_size), pixels);
-    pixels.visit(visit);
+    visit_line_or_point(draw, frame, visit, [](const PrimitiveFrame&, int, int, int) {});
 }
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -50,12 +50,25 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
     gather_corners(draw, {&ordinal, 1}, corners);
     BatchPlanes planes(draw, corners);
     const PrimitiveFrame frame = frame_of(draw, ordinal);
-    const DepthPlane plane = depth_plane(draw, *corners.primitive[0], frame);
-    visit_line_or_point(draw, frame, [&](int bx, int by, const LaneSet& lanes) {
-        DepthBlock depth;
-        shade_depth(plane, max_of_bits(draw.profile->depth_bits), bx, by, depth);
-        paint_block(planes, 0, depth, bx, by, lanes, counts);
-    });
+    const SetupPrimitive& primitive = *corners.primitive[0];
+    const DepthPlane plane = depth_plane(draw, primitive, frame);
+    const std::uint32_t most = max_of_bits(draw.profile->depth_bits);
+    DepthBlock depth;
+    visit_line_or_point(
+        draw, frame,
+        [&](int bx, int by, const LaneSet& lanes) {
+            shade_depth(plane, most, bx, by, depth);
+            paint_block(planes, 0, depth, bx, by, lanes, counts);
+        },
+        [&](const PrimitiveFrame& at, int bx, int by, int lane) {
+            shade_depth(depth_plane(draw, primitive, at), most, bx, by, depth);
+            ShadeInputs in;
+            const std::uint32_t mask = 1u << lane;
+            run_fragments(draw.op->state, primitive.front != 0, depth, draw.tile,
+                          draw.tile.block(bx, by), mask, counts, [&]() -> const ColorBlock& {
+                              return outer_color(draw, primitive, at, bx, by, mask, in);
+                          });
+        });
 }
 
 /// Draws the primitives of a bin that may be antialiased.

@@ -3,6 +3,7 @@
 #include "gw/fast/vertices/project_parts.h"
 #include "gw/stages/area.h"
 #include "gw/stages/polygon_offset.h"
+#include "gw/stages/raster/lines.h"
 #include "gw/stages/stipple.h"
 
 #include <algorithm>
@@ -264,13 +265,11 @@ struct Builder {
         if (state.stipple_period != 0) {
             const auto period = std::uint64_t(state.stipple_period);
             const SnappedVertex &a = set.at[p.vertex[0]], &b = set.at[p.vertex[1]];
-            const bool x_major = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
-            const int s = projection.profile.subpixel_bits;
+            const LineRule& rule = state.line_rule;
             p.stippled = std::uint16_t(stippled % period);
-            const std::int64_t steps =
-                state.line_smooth
-                    ? smooth_steps(b.x - a.x, b.y - a.y, s)
-                    : (x_major ? line_steps(a.x, b.x, s) : line_steps(a.y, b.y, s)).count;
+            const std::int64_t steps = state.line_smooth
+                                           ? smooth_steps(b.x - a.x, b.y - a.y, rule.subpixel_bits)
+                                           : line_steps({{a.x, b.x}, {a.y, b.y}}, rule).count;
             stippled += std::uint64_t(steps);
         }
         set.primitives.push_back(p);

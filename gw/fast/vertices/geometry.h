@@ -7,6 +7,7 @@
 #include "gw/counters.h"
 #include "gw/fast/vertices/unset_vector.h"
 #include "gw/mesh.h"
+#include "gw/stages/raster/lines.h"
 #include "gw/stages/resolve.h"
 #include "gw/state.h"
 
@@ -44,10 +45,11 @@ struct GeometryState {
     /// pixels that a primitive may reach beyond its vertices
     int point_margin = 1, line_margin = 1, fill_margin = 0;
     bool line_smooth = false;  ///< stipples advance by length
+    LineRule line_rule;        ///< the steps of stippled lines; else not used
     bool operator==(const GeometryState&) const = default;
 };
 /// Of a resolved state.
-GeometryState geometry_state(const State& state);
+GeometryState geometry_state(const State& state, int subpixel_bits);
 
 /// Tiles [x0, x1) x [y0, y1).
 struct TileRange {

@@ -15,7 +15,7 @@ int margin(float size, bool smooth) { return whole_size(size) + (smooth ? 2 : 0)
 
 }  // namespace
 
-GeometryState geometry_state(const State& s) {
+GeometryState geometry_state(const State& s, int subpixel_bits) {
     const PolygonOffsetState& offset = s.polygon_offset;
     return {.projection = s.projection,
             .viewport = s.viewport,
@@ -32,7 +32,8 @@ GeometryState geometry_state(const State& s) {
                                    smooths_points(s)),
             .line_margin = margin(s.line_width, s.line_smooth),
             .fill_margin = s.polygon_smooth ? 1 : 0,
-            .line_smooth = s.line_smooth};
+            .line_smooth = s.line_smooth,
+            .line_rule = s.line_stipple.enable ? line_rule(s, subpixel_bits) : LineRule{}};
 }
 
 void JitterRange::include(const JitterState& j) {

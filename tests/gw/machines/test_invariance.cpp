@@ -104,6 +104,7 @@ const Change changes[] = {
     // Widths matter only to lines and points: filled faces do not have them.
     {"point_size", [](State& s) { s.point_size = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
     {"line_width", [](State& s) { s.line_width = s.polygon_mode == PolygonMode::Fill ? 7 : 1; }},
+    {"diamond_lines", [](State& s) { s.diamond_lines = s.polygon_mode == PolygonMode::Fill; }},
     {"point_parameters",
      [](State& s) {
          if (s.polygon_mode == PolygonMode::Fill)
@@ -174,10 +175,10 @@ const Change changes[] = {
                                   clip_planes, cull, polygon_mode, two_side_polygon_mode,
                                   back_polygon_mode, line_stipple, polygon_stipple, polygon_offset,
                                   jitter, point_size, point_parameters, point_sprite, line_width,
-                                  point_smooth, line_smooth, polygon_smooth, shade_model,
-                                  color_source, lighting, color_sum, fog, texture, more_textures,
-                                  scissor, alpha, stencil, depth, blend, logic_op, color_mask,
-                                  multisample, draw_buffer, read_buffer] = state;
+                                  diamond_lines, point_smooth, line_smooth, polygon_smooth,
+                                  shade_model, color_source, lighting, color_sum, fog, texture,
+                                  more_textures, scissor, alpha, stencil, depth, blend, logic_op,
+                                  color_mask, multisample, draw_buffer, read_buffer] = state;
 }
 
 struct Scene {

@@ -5,6 +5,8 @@
 #include "tests/gw/workbench.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace gw {
 namespace {
@@ -61,6 +63,29 @@ TEST(ManualRasterization, ALineAndAPoint) {
     for (int y = 39; y <= 41; ++y)
         for (int x = 39; x <= 41; ++x) EXPECT_EQ(bench.color(x, y)[3], 255);
     EXPECT_EQ(bench.take_counters().fragments, 9u);
+}
+
+/// The pixels of one line by the diamond rule, as columns and rows.
+std::vector<std::pair<int, int>> diamond_pixels(const vec3& from, const vec3& to) {
+    Workbench bench(vgx(), 16, 16);
+    bench.state.diamond_lines = true;
+    bench.draw(Primitive::Lines, {from, to});
+    std::vector<std::pair<int, int>> out;
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x)
+            if (bench.color(x, y)[3] != 0) out.emplace_back(x, y);
+    return out;
+}
+
+// [R9.34]
+TEST(ManualRasterization, LinesByTheDiamondRule) {
+    using Pixels = std::vector<std::pair<int, int>>;
+    Pixels row;
+    for (int x = 2; x <= 11; ++x) row.emplace_back(x, 5);
+    EXPECT_EQ(diamond_pixels({2, 6, 0}, {12, 6, 0}), row);
+    EXPECT_EQ(diamond_pixels({2.25f, 3.5f, 0}, {5.75f, 3.5f, 0}), (Pixels{{2, 3}, {3, 3}, {4, 3}}));
+    EXPECT_EQ(diamond_pixels({5.75f, 3.5f, 0}, {2.25f, 3.5f, 0}), (Pixels{{3, 3}, {4, 3}, {5, 3}}));
+    EXPECT_EQ(diamond_pixels({2.625f, 3.5f, 0}, {2.875f, 3.5f, 0}), Pixels{});
 }
 
 // [R9.6] [R9.8]
@@ -210,7 +235,7 @@ TEST(ManualRasterization, HalfWayOnTheScreenIsAThirdOfTheWay) {
     EXPECT_EQ(u.at[1], 1 << 29);
     EXPECT_EQ(u.exponent, 0);
     // pixel centres 0.5 to 8.5: pixel 4 is half-way
-    const SnappedLine line{{4, 68}, {4, 4}, true, 3};
+    const SnappedLine line{{{4, 68}, {4, 4}}, true, 3};
     const float Q = float(plane_along(line, q[0], q[1]).at(4, 0));
     const float U = float(plane_along(line, u.at[0], u.at[1]).at(4, 0));
     EXPECT_EQ(Q, 0.75f * 0x1p30f);
