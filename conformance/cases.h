@@ -19,6 +19,7 @@ Case depth_case(Random& random);
 Case depth_textures_case(Random& random);
 Case diamond_lines_case(Random& random);
 Case everything_case(Random& random);
+Case exact_rho_case(Random& random);
 Case fog_case(Random& random);
 Case fog_coordinate_case(Random& random);
 Case generated_texture_case(Random& random);

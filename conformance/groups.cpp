@@ -142,6 +142,8 @@ const std::vector<Group>& all_groups() {
          samples_case, 48, color | depth | stencil, {&C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
         {"diamond-lines", "lines and outlines by the diamond rule, of every width, stippled", "R9.34",
          diamond_lines_case, 32, color | depth, {&C::clipped, &C::depth_killed, &C::texels, &C::written}},
+        {"exact-rho", "textures, cubes and volumes with levels by the lengths of rho", "R10.46",
+         exact_rho_case, 24, color, {&C::texels, &C::written}},
     };
     return all;
 }

@@ -131,6 +131,8 @@ struct TextureState {
     CombineState combine_rgb;
     CombineState combine_alpha{.operand0 = CombineOperand::Alpha,
                                .operand1 = CombineOperand::Alpha};
+    /// The level of detail by the square root of [GL11] 3.8.1, not by max{m_u, m_v}.
+    bool exact_rho = false;
     bool coord_replace = false;  ///< under State::point_sprite, s and t go from 0 to 1 over a point
     bool operator==(const TextureState&) const = default;
 };

@@ -3,7 +3,7 @@ import numpy as np
 
 from .numbers import one, quantize, rescale, to_integer_array
 from .fragments import compare
-from .rasterization import Projective, reciprocal, slopes
+from .rasterization import Projective, joined_slopes, reciprocal, slopes
 from .state import MagFilter, MinFilter, Wrap
 from .texture import (Coordinate, Texture, TextureStage, bilinear, completed, look_ups,
                       texels_of)
@@ -143,10 +143,10 @@ class VolumeStage(TextureStage):
         if self.texture.cube:
             return self.rho_on_faces()
         W = reciprocal(self.q, self.x, self.y)
-        most = np.zeros(len(W))
         count = 3 if self.texture.dimensions == 3 else 2
-        for (plane, e), side in list(zip(self.planes, self.sides(self.lod.base)))[:count]:
-            most = np.maximum(most, slopes(plane, self.q, self.x, self.y) * 2.0**e * side)
+        of_all = list(zip(self.planes, self.sides(self.lod.base)))[:count]
+        most = joined_slopes([(slopes(plane, self.q, self.x, self.y), 2.0**e * side)
+                              for (plane, e), side in of_all], self.exact_rho)
         return self.lod.of((most.astype(np.float32) * (W * W)) * np.float32(2.0**-16))
 
     def rho_on_faces(self):
@@ -155,12 +155,12 @@ class VolumeStage(TextureStage):
             here = (self.faces == face) & (self.U[major] != 0)
             if not here.any():
                 continue
-            most = np.zeros(np.count_nonzero(here))
             plane, e_major = self.planes[major]
-            for c, _ in rules:
-                own, e = self.planes[c]
-                m = slopes(own, plane, self.x[here], self.y[here])
-                most = np.maximum(most, m * 2.0**(e - e_major - 1) * self.sides(self.lod.base)[0])
+            side = self.sides(self.lod.base)[0]
+            most = joined_slopes([(slopes(own, plane, self.x[here], self.y[here]),
+                                   2.0**(e - e_major - 1) * side)
+                                  for own, e in (self.planes[c] for c, _ in rules)],
+                                 self.exact_rho)
             W = np.float32(1) / np.abs(self.U[major][here]).astype(np.float32)
             rho[here] = self.lod.of((most.astype(np.float32) * (W * W)) * np.float32(2.0**-16))
         return rho

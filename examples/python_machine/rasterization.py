@@ -351,7 +351,7 @@ def quotient(u, W, x, y):
 
 
 def slopes(u, q, x, y):
-    """[R9.18] In double, at pixels."""
+    """[R9.18] In double, at pixels: along rows and along columns."""
     i0, j0 = u.X0 >> u.s, u.Y0 >> u.s
 
     def narrowed(v):
@@ -361,4 +361,21 @@ def slopes(u, q, x, y):
     u0, q0 = narrowed(u.at_pixel(i0, j0)), narrowed(q.at_pixel(i0, j0))
     A, B = Ux * q0 - u0 * Qx, Uy * q0 - u0 * Qy
     K = float(np.float32((Ux * Qy - Uy * Qx) / 65536))
-    return np.maximum(np.abs(A + K * (y - j0)), np.abs(B - K * (x - i0)))
+    return np.abs(A + K * (y - j0)), np.abs(B - K * (x - i0))
+
+
+def joined_slopes(scaled, exact):
+    """[R10.12], [R10.46] Of all coordinates: pairs of slopes and their scale to texels."""
+    directions = ([], [])
+    for pair, scale in scaled:
+        for direction, slope in zip(directions, pair):
+            direction.append(slope * scale)
+    if not exact:
+        return np.maximum.reduce([slope for direction in directions for slope in direction])
+    lengths = []
+    for direction in directions:
+        squares = direction[0] * direction[0]
+        for slope in direction[1:]:
+            squares = squares + slope * slope
+        lengths.append(np.sqrt(squares))
+    return np.maximum(*lengths)

@@ -340,6 +340,7 @@ class State:
     coord_replace: bool = False
     multisample: Multisample = field(default_factory=Multisample)
     diamond_lines: bool = False
+    exact_rho: bool = False
     more_textures: Any = None  # states that have the members of textures only [R10.37]
 
     def of_unit(self, unit):

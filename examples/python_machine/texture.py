@@ -7,7 +7,8 @@ from .elementary import exp, power
 from .fragments import compare
 from .numbers import clamp, one, quantize, rescale, to_integer_array
 from .points import SpritePlanes
-from .rasterization import Perspective, Projective, quotient, reciprocal, slopes
+from .rasterization import (Perspective, Projective, joined_slopes, quotient, reciprocal,
+                            slopes)
 from .state import MagFilter, MinFilter, TextureFormat, Wrap
 
 LINEAR_FILTERS = (MinFilter.Linear, MinFilter.LinearMipmapNearest, MinFilter.LinearMipmapLinear)
@@ -230,6 +231,7 @@ class TextureStage:
         self.lod = Lod(state.texture_lod, len(texture.levels))
         self.projective = projective  # [R10.22]
         self.replaces = state.coord_replace
+        self.exact_rho = state.exact_rho
 
     def sprite(self, frame):
         """[R9.32] The planes of a sprite; None: the unit has coordinates of vertices."""
@@ -301,8 +303,8 @@ class TextureStage:
     def rho(self, s, t, q, W, x, y):
         """[R10.12]"""
         w, h = self.texture.sides(self.lod.base)
-        most = np.maximum(slopes(s.plane, q, x, y) * 2.0**s.e * w,
-                          slopes(t.plane, q, x, y) * 2.0**t.e * h)
+        most = joined_slopes(((slopes(s.plane, q, x, y), 2.0**s.e * w),
+                              (slopes(t.plane, q, x, y), 2.0**t.e * h)), self.exact_rho)
         return self.lod.of((most.astype(np.float32) * (W * W)) * np.float32(2.0**-16))
 
     def minified(self, low, bits, s, t):

@@ -166,6 +166,7 @@ void set_look_up(gw::TextureState& out, const Context& context, const TextureObj
     out.wrap_t = wrap(p.wrap_t, context.profile);
     if (target == three_dimensions) out.wrap_r = wrap(p.wrap_r, context.profile);
     out.border_color = p.border_color;
+    out.exact_rho = true;
     out.seamless = target == cube && has.texture_seamless && context.state.texture.seamless;
     // [GL14] 3.8.14: colours are not compared.
     out.shadow_compare =

@@ -87,6 +87,7 @@ inline constexpr auto fields_of<TextureState> = std::tuple(
     field("lod", &TextureState::lod, "", "The levels that are used."),
     field("combine_rgb", &TextureState::combine_rgb, "", "Of TexEnv.Combine: colours."),
     field("combine_alpha", &TextureState::combine_alpha, "", "Of TexEnv.Combine: alpha."),
+    field("exact_rho", &TextureState::exact_rho, "R10.46", "rho by lengths."),
     field("coord_replace", &TextureState::coord_replace, "R9.32", "s and t of point sprites.",
           restricted("extension")));
 

@@ -39,12 +39,13 @@ struct Coordinates {
     }
 };
 
-/// GL's rho = max(m_u, m_v) in texels of the base level per pixel, with bias and limits.
-float rho_at(const TextureValues& v, const TexelLevel& base, const ResolvedTexture& r, float w,
-             int dx, int dy) {
-    const double s = std::ldexp(v.s.slope.at(dx, dy), v.s.exponent) * base.width;
-    const double t = std::ldexp(v.t.slope.at(dx, dy), v.t.exponent) * base.height;
-    const float rho = (static_cast<float>(std::max(s, t)) * (w * w)) * (1.0f / 65536);
+/// GL's rho in texels of the base level per pixel, with bias and limits.
+float rho_at(const TextureValues& v, const TexelLevel& base, const TextureState& state,
+             const ResolvedTexture& r, float w, int dx, int dy) {
+    JoinedSlopes slopes{state.exact_rho};
+    slopes.add(v.s.slope, dx, dy, std::ldexp(double(base.width), v.s.exponent));
+    slopes.add(v.t.slope, dx, dy, std::ldexp(double(base.height), v.t.exponent));
+    const float rho = (static_cast<float>(slopes.value()) * (w * w)) * (1.0f / 65536);
     return std::min(std::max(rho * r.rho_scale, r.least_rho), r.greatest_rho);
 }
 
@@ -114,7 +115,7 @@ Rgba texel_at(const Interpolants& values, std::size_t unit, const Texels& texels
     const TexelLevel& first = texels.levels[std::size_t(base)];
     LevelChoice choice{.magnify = true, .level = base};
     if (needs_rho(s))
-        choice = choose_level(s, rho_at(v, first, r, w, dx, dy), int(texels.levels.size()));
+        choice = choose_level(s, rho_at(v, first, s, r, w, dx, dy), int(texels.levels.size()));
 
     const auto sample = [&](int index) {
         const TexelLevel& level = texels.levels[std::size_t(index)];

@@ -119,8 +119,18 @@ CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q) {
     return {ux * q0 - u0 * qx, uy * q0 - u0 * qy, to_float((ux * qy - uy * qx) / 65536)};
 }
 
-double CoordinateSlope::at(int dx, int dy) const {
-    return std::max(std::abs(a + double(k) * dy), std::abs(b - double(k) * dx));
+double CoordinateSlope::along_row(int dy) const { return std::abs(a + double(k) * dy); }
+double CoordinateSlope::along_column(int dx) const { return std::abs(b - double(k) * dx); }
+
+void JoinedSlopes::add(const CoordinateSlope& slope, int dx, int dy, double scale) {
+    const double r = slope.along_row(dy) * scale, c = slope.along_column(dx) * scale;
+    row = exact ? row + r * r : std::max(row, r);
+    column = exact ? column + c * c : std::max(column, c);
+}
+
+double JoinedSlopes::value() const {
+    const double most = std::max(row, column);
+    return exact ? std::sqrt(most) : most;
 }
 
 }  // namespace gw

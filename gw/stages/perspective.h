@@ -63,10 +63,20 @@ struct PlaneSlope {
 /// |d(U/Q)| Q^2 along rows and columns. Each is linear in one pixel coordinate, so no neighbour is
 /// read.
 struct CoordinateSlope {
-    double a = 0, b = 0;              ///< Ux Q - U Qx and Uy Q - U Qy at pixel (x, y)
-    float k = 0;                      ///< (Ux Qy - Uy Qx) / 2^16
-    double at(int dx, int dy) const;  ///< the larger of the two at pixel (x + dx, y + dy)
+    double a = 0, b = 0;                ///< Ux Q - U Qx and Uy Q - U Qy at pixel (x, y)
+    float k = 0;                        ///< (Ux Qy - Uy Qx) / 2^16
+    double along_row(int dy) const;     ///< at pixels of row y + dy
+    double along_column(int dx) const;  ///< at pixels of column x + dx
 };
 CoordinateSlope coordinate_slope(const PlaneSlope& u, const PlaneSlope& q);
+
+/// Joins the slopes of a texture's coordinates, in texels, to the input of rho.
+struct JoinedSlopes {
+    bool exact = false;          ///< R10.46: lengths; else the largest slope, R10.12
+    double row = 0, column = 0;  ///< squares if exact
+
+    void add(const CoordinateSlope& slope, int dx, int dy, double scale);
+    double value() const;
+};
 
 }  // namespace gw

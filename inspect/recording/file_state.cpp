@@ -128,6 +128,8 @@ auto& ours(OurState& s) {
         return s.texture.wrap_r;
     else if constexpr (name == "seamless")
         return s.texture.seamless;
+    else if constexpr (name == "exact_rho")
+        return s.texture.exact_rho;
     else if constexpr (name == "coord_replace")
         return s.texture.coord_replace;
     else if constexpr (name == "offset_lines")

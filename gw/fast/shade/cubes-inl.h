@@ -105,7 +105,8 @@ private:
         };
         BlockSlopes slopes;
         alignas(64) float spread[block_pixels];
-        find_slopes(slope(rule.s), slope(rule.t), dx_, dy_, scale(rule.s), scale(rule.t), slopes);
+        find_slopes(slope(rule.s), slope(rule.t), dx_, dy_, scale(rule.s), scale(rule.t),
+                    state_.exact_rho, slopes);
         spread_slopes(slopes, spread);
         for (std::size_t i = 0; i < block_pixels; i += lanes32) {
             const auto q = hn::Abs(hn::Load(d, numerators(rule.major) + i));

@@ -73,7 +73,7 @@ private:
         find_slopes(p_.s.slope, p_.t.slope, tile.x + bx * block_side - p_.slope_x,
                     tile.y + by * block_side - p_.slope_y,
                     power_of_two(p_.s.exponent) * level.width,
-                    power_of_two(p_.t.exponent) * level.height, slopes);
+                    power_of_two(p_.t.exponent) * level.height, state_.exact_rho, slopes);
         spread_slopes(slopes, spread);
         for (std::size_t i = 0; i < block_pixels; i += lanes32)
             hn::Store(

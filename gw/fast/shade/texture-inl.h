@@ -27,7 +27,7 @@ struct TextureInputs {
     alignas(64) float slope[block_pixels];  ///< rho Q^2 2^16
 };
 
-/// The larger slope of a block's rows and columns.
+/// The joined slope of a block's rows and columns: JoinedSlopes of gw/stages/perspective.h.
 struct BlockSlopes {
     alignas(16) float row[block_side], column[block_side];
 };
@@ -35,22 +35,23 @@ struct BlockSlopes {
 #if HWY_HAVE_FLOAT64
 
 HWY_INLINE void find_slopes(const CoordinateSlope& u, const CoordinateSlope& v, int dx, int dy,
-                            double scale_u, double scale_v, BlockSlopes& out) {
+                            double scale_u, double scale_v, bool exact, BlockSlopes& out) {
     const hn::CappedTag<double, block_side> d;
     const hn::Rebind<float, decltype(d)> f;
     alignas(32) static constexpr double step[block_side] = {0, 1, 2, 3};
     const auto all = [&](double value) { return hn::Set(d, value); };
-    const auto larger = [&](auto a, auto b) {
+    const auto joined = [&](auto a, auto b) {
         const auto s = hn::Mul(hn::Abs(a), all(scale_u)), t = hn::Mul(hn::Abs(b), all(scale_v));
-        return hn::DemoteTo(f, hn::Max(t, s));
+        if (!exact) return hn::DemoteTo(f, hn::Max(t, s));
+        return hn::DemoteTo(f, hn::Sqrt(hn::Add(hn::Mul(s, s), hn::Mul(t, t))));
     };
     for (std::size_t i = 0; i < block_side; i += hn::Lanes(d)) {
         const auto x = hn::Add(all(dx), hn::Load(d, step + i)),
                    y = hn::Add(all(dy), hn::Load(d, step + i));
-        hn::Store(larger(hn::Add(all(u.a), hn::Mul(all(u.k), y)),
+        hn::Store(joined(hn::Add(all(u.a), hn::Mul(all(u.k), y)),
                          hn::Add(all(v.a), hn::Mul(all(v.k), y))),
                   f, out.row + i);
-        hn::Store(larger(hn::Sub(all(u.b), hn::Mul(all(u.k), x)),
+        hn::Store(joined(hn::Sub(all(u.b), hn::Mul(all(u.k), x)),
                          hn::Sub(all(v.b), hn::Mul(all(v.k), x))),
                   f, out.column + i);
     }
@@ -59,13 +60,14 @@ HWY_INLINE void find_slopes(const CoordinateSlope& u, const CoordinateSlope& v, 
 #else
 
 HWY_INLINE void find_slopes(const CoordinateSlope& u, const CoordinateSlope& v, int dx, int dy,
-                            double scale_u, double scale_v, BlockSlopes& out) {
-    const auto larger = [&](double s, double t) {
-        return static_cast<float>(std::max(std::abs(s) * scale_u, std::abs(t) * scale_v));
+                            double scale_u, double scale_v, bool exact, BlockSlopes& out) {
+    const auto joined = [&](double a, double b) {
+        const double s = std::abs(a) * scale_u, t = std::abs(b) * scale_v;
+        return static_cast<float>(exact ? std::sqrt(s * s + t * t) : std::max(s, t));
     };
     for (int i = 0; i < block_side; ++i) {
-        out.row[i] = larger(u.a + double(u.k) * (dy + i), v.a + double(v.k) * (dy + i));
-        out.column[i] = larger(u.b - double(u.k) * (dx + i), v.b - double(v.k) * (dx + i));
+        out.row[i] = joined(u.a + double(u.k) * (dy + i), v.a + double(v.k) * (dy + i));
+        out.column[i] = joined(u.b - double(u.k) * (dx + i), v.b - double(v.k) * (dx + i));
     }
 }
 
@@ -86,7 +88,7 @@ HWY_NOINLINE inline void store_slopes(const Sampler& s, const TexturePlanes& p, 
     find_slopes(p.s.slope, p.t.slope, tile.x + bx * block_side - p.slope_x,
                 tile.y + by * block_side - p.slope_y,
                 power_of_two(p.s.exponent + s.base().log2_width),
-                power_of_two(p.t.exponent + s.base().log2_height), found);
+                power_of_two(p.t.exponent + s.base().log2_height), s.state.exact_rho, found);
     spread_slopes(found, slope);
 }
 

@@ -85,10 +85,10 @@ struct PixelSampler {
     float rho() const {
         const int dx = draw.tile.x + i - p.slope_x, dy = draw.tile.y + j - p.slope_y;
         const TexelLevel& base = texels.levels[std::size_t(base_level())];
-        const double along_s = times_power_of_two(p.s.slope.at(dx, dy), p.s.exponent) * base.width;
-        const double along_t = times_power_of_two(p.t.slope.at(dx, dy), p.t.exponent) * base.height;
-        const float found =
-            (static_cast<float>(std::max(along_s, along_t)) * (w * w)) * (1.0f / 65536);
+        JoinedSlopes slopes{state.exact_rho};
+        slopes.add(p.s.slope, dx, dy, times_power_of_two(base.width, p.s.exponent));
+        slopes.add(p.t.slope, dx, dy, times_power_of_two(base.height, p.t.exponent));
+        const float found = (static_cast<float>(slopes.value()) * (w * w)) * (1.0f / 65536);
         return std::min(std::max(found * resolved.rho_scale, resolved.least_rho),
                         resolved.greatest_rho);
     }

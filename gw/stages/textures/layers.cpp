@@ -129,28 +129,27 @@ struct Unit {
                          static_cast<std::uint16_t>(one));
     }
 
-    /// The largest slope in texels of the base level, times the square of the denominator.
+    /// The joined slopes in texels of the base level, times the square of the denominator.
     double slope(const PixelCoordinates& at) const {
         const TexelLevel& l = level(base());
         const std::array<int, 3> sides{l.width, l.height, l.layers};
-        double most = 0;
+        JoinedSlopes joined{state.exact_rho};
         for (std::size_t c = 0; c < std::size_t(texels.dimensions == 3 ? 3 : 2); ++c) {
             const PixelCoordinate& own = at.at[c];
-            const double m = coordinate_slope(own.slope, at.q_slope).at(at.dx, at.dy);
-            most = std::max(most, std::ldexp(m, own.exponent) * sides[c]);
+            joined.add(coordinate_slope(own.slope, at.q_slope), at.dx, at.dy,
+                       std::ldexp(double(sides[c]), own.exponent));
         }
-        return most;
+        return joined.value();
     }
     double face_slope(const PixelCoordinates& at, const FaceRule& rule) const {
         const PixelCoordinate& major = at.at[std::size_t(rule.major)];
-        double most = 0;
+        JoinedSlopes joined{state.exact_rho};
         for (const int c : {rule.s, rule.t}) {
             const PixelCoordinate& own = at.at[std::size_t(c)];
-            const double m = coordinate_slope(own.slope, major.slope).at(at.dx, at.dy);
-            most = std::max(most,
-                            std::ldexp(m, own.exponent - major.exponent - 1) * level(base()).width);
+            joined.add(coordinate_slope(own.slope, major.slope), at.dx, at.dy,
+                       std::ldexp(double(level(base()).width), own.exponent - major.exponent - 1));
         }
-        return most;
+        return joined.value();
     }
     float rho(const PixelCoordinates& at, const FacePoint& on_face) const {
         const FaceRule& rule = face_rules[std::size_t(on_face.face)];

@@ -117,6 +117,34 @@ TEST(ManualTexture, LevelsAndBias) {
     EXPECT_EQ(red_with({.bias = 0.25f}, MinFilter::NearestMipmapLinear), 186);
 }
 
+// [R10.46]
+TEST(ManualTexture, RhoByLengths) {
+    Texture t{.name = "levels"};
+    for (int side = 64, red = 0; side >= 1; side /= 2, red += 40) {
+        TextureLevel level{side, side, {}};
+        for (int i = 0; i < side * side; ++i)
+            for (const int c : {red, 0, 0, 255})
+                level.rgba.edit().push_back(std::uint16_t(257 * c));
+        t.levels.push_back(level);
+    }
+    const TextureRef texture = make_texture(std::move(t));
+    // 3 and 4 texels along a row, 4 and 0 along a column
+    const auto texcoord = [](float x, float y) { return vec2((3 * x + 4 * y) / 64, 4 * x / 64); };
+    const auto red_by = [&](bool exact) {
+        Workbench bench(opengl(), 8, 8);
+        MeshData square =
+            test::mesh_data(Primitive::Quads, {{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {0, 8, 0}});
+        square.texcoords = {texcoord(0, 0), texcoord(8, 0), texcoord(8, 8), texcoord(0, 8)};
+        bench.state.texture.min_filter = MinFilter::NearestMipmapLinear;
+        bench.state.texture.mag_filter = MagFilter::Nearest;
+        bench.state.texture.exact_rho = exact;
+        bench.draw(Draw{.mesh = make_mesh(square), .map = {texture}});
+        return int(bench.color(3, 3)[0]);
+    };
+    EXPECT_EQ(red_by(false), 80);  // rho = 4: level 2
+    EXPECT_EQ(red_by(true), 93);   // rho = 5: 80 + (40 * 82 + 128 >> 8)
+}
+
 // [R10.28] [R10.31]
 TEST(ManualTexture, SizesWrapsAndLevelsAreExtensions) {
     const auto refusal_of = [](bool Extensions::*missing, const auto& change) {
