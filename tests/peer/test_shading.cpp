@@ -145,25 +145,45 @@ class LinesOfLlvmpipe : public Shading {};
 INSTANTIATE_TEST_SUITE_P(AgainstMesa, LinesOfLlvmpipe, testing::Values("llvmpipe"),
                          [](const auto& driver) { return std::string(driver.param); });
 
-TEST_P(LinesOfLlvmpipe, DifferAtTheirEndsAndInTies) {
+/// Random lines whose ends are multiples of 1 / `steps` pixel, moved by `shift`.
+Tally compared_lines(int steps, float shift, bool diamonds, Shading& shading) {
     Random random(9);
+    const auto coordinate = [&] {
+        return float(random.between(0, size * steps)) / float(steps) + shift;
+    };
     Tally sum;
+    State state = window_state();
+    state.diamond_lines = diamonds;
     for (int i = 0; i < 60; ++i) {
         MeshData data{.primitive = Primitive::Lines};
-        for (int k = 0; k < 2; ++k)
-            data.positions.push_back({float(random.between(0, size * grid)) / grid,
-                                      float(random.between(0, size * grid)) / grid, 0});
+        for (int k = 0; k < 2; ++k) data.positions.push_back({coordinate(), coordinate(), 0});
         CommandList list;
         list.add(Clear{all_planes});
-        add(list, window_state(), Draw{.mesh = make_mesh(std::move(data))});
-        const Tally tally = compare_coverage(list, *this);
+        add(list, state, Draw{.mesh = make_mesh(std::move(data))});
+        const Tally tally = compare_coverage(list, shading);
         sum.compared += tally.compared;
         sum.different += tally.different;
         sum.worst = std::max(sum.worst, double(tally.different));
     }
-    report(GetParam(), "lines: pixels of only one; most in one line", sum);
     EXPECT_GT(sum.compared, 1000);
+    return sum;
+}
+
+TEST_P(LinesOfLlvmpipe, DifferAtTheirEndsAndInTies) {
+    const Tally sum = compared_lines(grid, 0, false, *this);
+    report(GetParam(), "lines: pixels of only one; most in one line", sum);
     EXPECT_LE(sum.worst, 4);
+}
+
+// [R9.34]
+TEST_P(LinesOfLlvmpipe, AreThoseOfTheDiamondRule) {
+    EXPECT_EQ(compared_lines(1, 0, true, *this).different, 0);
+    // llvmpipe has other pixels for ends on the tip of a diamond, and where a line between centres
+    // passes the boundary of two pixels in the middle.
+    EXPECT_LE(compared_lines(1, 0.5f, true, *this).worst, 4);
+    const Tally sum = compared_lines(grid, 0, true, *this);
+    report(GetParam(), "lines by the diamond rule: pixels of only one; most in one line", sum);
+    EXPECT_LE(sum.worst, 2);
 }
 
 }  // namespace

@@ -146,8 +146,11 @@ TEST(ManualRasterization, SlopesByHand) {
     EXPECT_EQ(s.a, 65536.0 * (3 * 7 - 100 * 2));
     EXPECT_EQ(s.b, 65536.0 * (5 * 7 - 100 * 1));
     EXPECT_EQ(s.k, 65536.0f * (3 * 1 - 5 * 2));
-    EXPECT_EQ(s.at(0, 0), 65536.0 * 179);
-    EXPECT_EQ(s.at(40, 0), 65536.0 * (-65 + 7 * 40));  // the column's is larger
+    JoinedSlopes larger;
+    larger.add(s, 0, 0, 1);
+    EXPECT_EQ(larger.value(), 65536.0 * 179);
+    larger.add(s, 40, 0, 1);
+    EXPECT_EQ(larger.value(), 65536.0 * (-65 + 7 * 40));  // the column's
     // Only slivers have gradients beyond 2^62, which are kept there.
     EXPECT_EQ(coordinate_slope({0x1p70, 0, 0}, {0, 0, 1}).a, 0x1p62);
 }
