@@ -8,11 +8,15 @@
 namespace gw::conformance {
 namespace {
 
-void set_exact_rho(State& state) {
+/// Also gives further units filters that need rho.
+void set_exact_rho(Random& r, State& state) {
     state.texture.exact_rho = true;
     if (!state.more_textures.units) return;
     auto units = *state.more_textures.units;
-    for (TextureState& unit : units) unit.exact_rho = true;
+    for (TextureState& unit : units) {
+        unit.exact_rho = true;
+        if (r.chance(70)) unit.min_filter = r.any(MinFilter::LinearMipmapLinear);
+    }
     state.more_textures.units = std::make_shared<const decltype(units)>(units);
 }
 
@@ -26,7 +30,7 @@ Case exact_rho_case(Random& r) {
         auto* set = std::get_if<SetState>(&command);
         if (!set || r.chance(20)) continue;
         State state = *set->state;
-        set_exact_rho(state);
+        set_exact_rho(r, state);
         set->state = state;
     }
     return out;
