@@ -137,6 +137,8 @@ std::vector<radiosity::Share> load_shares(const std::filesystem::path& folder,
     std::vector<std::string> names;
     for (const std::string& lamp : radiosity::lamps_of(model)) {
         const std::filesystem::path file = share_file(folder, shares.size());
+        if (!std::filesystem::exists(file))
+            throw Error(file.string(), 0, "does not exist; expected a lamp's light, by --shares");
         const radiosity::Saved saved = read_saved(file, model, options, radiosity::share_kind);
         names.push_back(file.string());
         shares.push_back(radiosity::load_share(saved, model, options, lamp, names.back()));

@@ -114,7 +114,8 @@ TEST_F(Shares, AreKeptThroughASave) {
 }
 
 TEST_F(Shares, ThatDoNotFitAreRefused) {
-    expect_refused(1, {"radiosity", "room.toml", "-o", "out", "--mix", "lamp=1"}, {"share_1.exr"});
+    expect_refused(1, {"radiosity", "room.toml", "-o", "out", "--mix", "lamp=1"},
+                   {"share_1.exr: does not exist; expected a lamp's light, by --shares"});
     ASSERT_EQ(run({"--shots", "2", "--shares"}).code, 0);
     expect_refused(1, {"radiosity", "room.toml", "-o", "out", "--mix", "lamp=1"},
                    {"--hemicube 32", "expected --hemicube 128"});
