@@ -1,8 +1,8 @@
 // GW_SCREENSHOT's file is replaced whole, keeps its mode and is found through links.
 #include "gl/record/whole_file.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -16,11 +16,6 @@ namespace fs = std::filesystem;
 
 class WholeFile : public testing::Test {
 protected:
-    WholeFile() {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
-    }
-    ~WholeFile() override { fs::remove_all(folder); }
     static std::string text_of(const fs::path& file) {
         std::ifstream in(file, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
@@ -28,8 +23,8 @@ protected:
     std::ptrdiff_t count() const {
         return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
     }
-    const fs::path folder =
-        fs::path(testing::TempDir()) / ("gw_whole_file_" + std::to_string(::getpid()));
+    const TemporaryFolder temporary;
+    const fs::path folder = temporary.path();
     const std::string file = (folder / "picture.ppm").string();
 };
 

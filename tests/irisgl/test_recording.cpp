@@ -6,8 +6,8 @@
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/shown_maps.h"
 #include "tests/irisgl/support.h"
+#include "tests/temporary_folder.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace gw::irisgl {
@@ -24,7 +24,6 @@ protected:
     void TearDown() override {
         stop();
         IrisGl::TearDown();
-        std::filesystem::remove(file_);
     }
     static void stop() {
         gl::calls_are_kept = false;
@@ -59,7 +58,8 @@ protected:
     using Words = std::vector<std::string>;
 
 private:
-    const std::string file_ = testing::TempDir() + "irisgl_recording.gwt";
+    const TemporaryFolder folder_;
+    const std::string file_ = folder_ / "program.gwt";
 };
 
 TEST_F(IrisGlRecording, NamesTheCallThatDrew) {

@@ -1,11 +1,11 @@
 // Recordings of framebuffer objects.
 #include "gl/drawable/off_screen.h"
 #include "gl/record/recording.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -14,8 +14,8 @@ namespace gw::gl {
 /// Their surfaces are not restored in the middle of a program: a warning, once.
 TEST(GlRecordings, LeaveOutFramebufferObjectsThatWereDrawnToBefore) {
     const auto machine = std::make_shared<OffScreen>(opengl());
-    const std::string file = testing::TempDir() + "left_out.gwt";
-    Recording recording(file, opengl(), {.first = 1});
+    const TemporaryFolder folder;
+    Recording recording(folder / "left_out.gwt", opengl(), {.first = 1});
     testing::internal::CaptureStderr();
     recording.begin_frame(*machine);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "before frame 1";
@@ -28,7 +28,6 @@ TEST(GlRecordings, LeaveOutFramebufferObjectsThatWereDrawnToBefore) {
     const std::string said = testing::internal::GetCapturedStderr();
     EXPECT_NE(said.find("is not recorded"), std::string::npos) << said;
     EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
-    std::filesystem::remove(file);
 }
 
 }  // namespace gw::gl
