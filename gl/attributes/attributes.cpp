@@ -55,7 +55,10 @@ void restore_textures(Context& context, const SavedAttributes& saved) {
             if (!has_target(context.profile, target)) continue;
             execute::bind_texture(context, texture_targets[target],
                                   saved.state.texture.units[unit].bound[target]);
-            context.textures.bound[unit][target]->set_parameters(saved.textures[unit][target]);
+            TextureObject& object = *context.textures.bound[unit][target];
+            if (object.parameters == saved.textures[unit][target]) continue;
+            begin_change(context);
+            object.set_parameters(saved.textures[unit][target]);
         }
     }
 }
@@ -79,14 +82,26 @@ bool is_of_object(GLenum buffer) { return buffer == GL_COLOR_ATTACHMENT0 || buff
 
 /// The buffers are those of the bound framebuffers, which may not be those that were bound when the
 /// attributes were pushed.
-void keep_buffers(Context& context, GLenum draw, GLenum read) {
+void keep_buffers(const Context& context, State& next) {
     const Framebuffers& f = context.framebuffers;
-    GLenum& now_draw = context.state.color_buffer.draw_buffer;
-    GLenum& now_read = context.state.pixel.read_buffer;
-    if (f.draw ? !is_of_object(now_draw) : now_draw == GL_COLOR_ATTACHMENT0) now_draw = draw;
-    if (f.read ? !is_of_object(now_read) : now_read == GL_COLOR_ATTACHMENT0) now_read = read;
-    if (f.draw) f.draw->draw_buffer = now_draw;
-    if (f.read) f.read->read_buffer = now_read;
+    GLenum& draw = next.color_buffer.draw_buffer;
+    GLenum& read = next.pixel.read_buffer;
+    if (f.draw ? !is_of_object(draw) : draw == GL_COLOR_ATTACHMENT0)
+        draw = context.state.color_buffer.draw_buffer;
+    if (f.read ? !is_of_object(read) : read == GL_COLOR_ATTACHMENT0)
+        read = context.state.pixel.read_buffer;
+    if (f.draw) f.draw->draw_buffer = draw;
+    if (f.read) f.read->read_buffer = read;
+}
+
+/// Whether what was assembled may be drawn with either state: its vertices have their current
+/// values and materials.
+bool draw_alike(State a, const State& b) {
+    a.current = b.current;
+    a.lighting.material = b.lighting.material;
+    a.transform.matrix_mode = b.transform.matrix_mode;
+    a.texture.active = b.texture.active;
+    return a == b;
 }
 
 }  // namespace
@@ -126,16 +141,18 @@ void push_attrib(Context& context, GLbitfield mask) {
 
 void pop_attrib(Context& context) {
     if (context.attribute_stack.empty()) return set_error(context, GL_STACK_UNDERFLOW);
-    begin_change(context);
     track_color(context);
     const SavedAttributes saved = std::move(context.attribute_stack.back());
     context.attribute_stack.pop_back();
     if (saved.mask & GL_TEXTURE_BIT) restore_textures(context, saved);
-    const GLenum draw = context.state.color_buffer.draw_buffer,
-                 read = context.state.pixel.read_buffer;
-    copy_groups(context.state, saved.state, saved.mask);
-    keep_buffers(context, draw, read);
-    if (saved.mask & GL_ENABLE_BIT) restore_enables(context.state, saved);
+    State next = context.state;
+    copy_groups(next, saved.state, saved.mask);
+    keep_buffers(context, next);
+    if (saved.mask & GL_ENABLE_BIT) restore_enables(next, saved);
+    if (!draw_alike(next, context.state)) begin_change(context);
+    if (next.lighting.material != context.state.lighting.material)
+        context.assembler.material_changed = true;
+    context.state = std::move(next);
     track_color(context);
 }
 

@@ -11,20 +11,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace gw::gl {
 
 namespace {
 
-/// The matrix that the calls below change; what was assembled is drawn with the old one.
-dmat4& changing_matrix(Context& context) {
-    begin_change(context);
-    return context.matrices.current(context.state).top();
-}
-
-/// Matrices hold floats: what GetFloatv hands out, LoadMatrixf brings back to the bit.
+/// Matrices hold floats: what GetFloatv hands out, LoadMatrixf brings back to the bit. What was
+/// assembled is drawn with the old one, if the bits differ.
 void set_matrix(Context& context, const dmat4& m) {
-    changing_matrix(context) = dmat4(glm::mat4(m));
+    dmat4& top = context.matrices.current(context.state).top();
+    const dmat4 rounded{glm::mat4(m)};
+    if (std::memcmp(&top, &rounded, sizeof top) == 0) return;
+    begin_change(context);
+    top = rounded;
 }
 void multiply(Context& context, const dmat4& m) {
     set_matrix(context, product(context.matrices.current(context.state).top(), m));

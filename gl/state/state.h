@@ -46,6 +46,7 @@ struct CurrentState {
         bool valid = true;
         bool operator==(const Raster&) const = default;
     } raster;
+    bool operator==(const CurrentState&) const = default;
 };
 
 /// GL_POINT_BIT
@@ -56,6 +57,7 @@ struct PointState {
     float fade_threshold = 1;  ///< without effect: there are no samples
     vec3 attenuation{1, 0, 0};
     std::array<bool, 4> coord_replace{};  ///< of texture units
+    bool operator==(const PointState&) const = default;
 };
 
 /// GL_LINE_BIT
@@ -65,6 +67,7 @@ struct LineState {
     bool stipple = false;
     int stipple_factor = 1;
     std::uint16_t stipple_pattern = 0xFFFF;
+    bool operator==(const LineState&) const = default;
 };
 
 /// GL_POLYGON_BIT
@@ -76,6 +79,7 @@ struct PolygonState {
     bool stipple = false;
     float offset_factor = 0, offset_units = 0;
     bool offset_point = false, offset_line = false, offset_fill = false;
+    bool operator==(const PolygonState&) const = default;
 };
 
 /// Rows of a polygon stipple, bottom row first; bit 31 is the leftmost pixel.
@@ -83,6 +87,7 @@ using Stipple = std::array<std::uint32_t, 32>;
 /// GL_POLYGON_STIPPLE_BIT. Null: all bits are set.
 struct PolygonStippleState {
     std::shared_ptr<const Stipple> pattern;
+    bool operator==(const PolygonStippleState&) const = default;
 };
 
 /// GL_PIXEL_MODE_BIT; the pixel maps are not part of it. [GL11] 3.6.3
@@ -93,6 +98,7 @@ struct PixelState {
     bool map_color = false, map_stencil = false;
     float zoom_x = 1, zoom_y = 1;
     GLenum read_buffer = GL_FRONT;
+    bool operator==(const PixelState&) const = default;
 };
 
 inline constexpr int pixel_map_count = 10;
@@ -118,6 +124,7 @@ struct LightState {
     vec3 spot_direction{0, 0, -1};
     float spot_exponent = 0, spot_cutoff = 180;
     float constant_attenuation = 1, linear_attenuation = 0, quadratic_attenuation = 0;
+    bool operator==(const LightState&) const = default;
 };
 struct MaterialState {
     vec4 ambient{0.2f, 0.2f, 0.2f, 1}, diffuse{0.8f, 0.8f, 0.8f, 1};
@@ -139,6 +146,7 @@ struct LightingState {
     std::array<MaterialState, 2> material{};  ///< front, back
     std::array<LightState, light_count> lights{
         {{.enable = false, .diffuse = {1, 1, 1, 1}, .specular = {1, 1, 1, 1}}}};
+    bool operator==(const LightingState&) const = default;
 };
 
 /// GL_FOG_BIT
@@ -149,6 +157,7 @@ struct FogState {
     vec4 color{0, 0, 0, 0};
     GLenum coordinate_source = GL_FRAGMENT_DEPTH;
     bool color_sum = false;
+    bool operator==(const FogState&) const = default;
 };
 
 /// GL_DEPTH_BUFFER_BIT
@@ -157,11 +166,13 @@ struct DepthState {
     GLenum func = GL_LESS;
     bool mask = true;
     double clear = 1;
+    bool operator==(const DepthState&) const = default;
 };
 
 /// GL_ACCUM_BUFFER_BIT
 struct AccumState {
     vec4 clear{0, 0, 0, 0};
+    bool operator==(const AccumState&) const = default;
 };
 
 /// GL_STENCIL_BUFFER_BIT
@@ -173,12 +184,14 @@ struct StencilState {
     GLenum fail = GL_KEEP, zfail = GL_KEEP, zpass = GL_KEEP;
     GLuint write_mask = ~0u;
     int clear = 0;
+    bool operator==(const StencilState&) const = default;
 };
 
 /// GL_VIEWPORT_BIT
 struct ViewportState {
     int x = 0, y = 0, width = 0, height = 0;
     double near_value = 0, far_value = 1;
+    bool operator==(const ViewportState&) const = default;
 };
 
 /// Whether no primitive can have a fragment.
@@ -191,6 +204,7 @@ struct TransformState {
     std::array<dvec4, 6> clip_plane{};  ///< in eye space
     bool normalize = false, rescale_normal = false;
     GLenum clip_origin = GL_LOWER_LEFT, clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;
+    bool operator==(const TransformState&) const = default;
 };
 
 /// GL_COLOR_BUFFER_BIT
@@ -212,6 +226,7 @@ struct ColorBufferState {
     GLuint index_mask = ~0u;
     vec4 clear{0, 0, 0, 0};
     float clear_index = 0;
+    bool operator==(const ColorBufferState&) const = default;
 };
 
 /// GL_HINT_BIT
@@ -219,6 +234,7 @@ struct HintState {
     GLenum perspective_correction = GL_DONT_CARE, point_smooth = GL_DONT_CARE;
     GLenum line_smooth = GL_DONT_CARE, polygon_smooth = GL_DONT_CARE, fog = GL_DONT_CARE;
     GLenum generate_mipmap = GL_DONT_CARE, texture_compression = GL_DONT_CARE;
+    bool operator==(const HintState&) const = default;
 };
 
 inline constexpr int map_count = 9;
@@ -230,17 +246,20 @@ struct EvalState {
     double grid1_u1 = 0, grid1_u2 = 1;
     std::array<int, 2> grid2_segments{1, 1};
     double grid2_u1 = 0, grid2_u2 = 1, grid2_v1 = 0, grid2_v2 = 1;
+    bool operator==(const EvalState&) const = default;
 };
 
 /// GL_LIST_BIT
 struct ListState {
     GLuint base = 0;
+    bool operator==(const ListState&) const = default;
 };
 
 struct TexGenState {
     bool enable = false;
     GLenum mode = GL_EYE_LINEAR;
     dvec4 object_plane{0, 0, 0, 0}, eye_plane{0, 0, 0, 0};
+    bool operator==(const TexGenState&) const = default;
 };
 /// The parameters of a texture object. [GL11] table 6.13
 struct TextureParameters {
@@ -261,6 +280,7 @@ struct CombineState {
     GLenum func = GL_MODULATE;
     std::array<GLenum, 3> source{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT}, operand{};
     int scale = 1;  ///< 1, 2 or 4
+    bool operator==(const CombineState&) const = default;
 };
 /// Levels of detail are moved by at most so many.
 inline constexpr float max_lod_bias = 16;
@@ -285,6 +305,7 @@ struct TextureUnit {
     bool generates() const {
         return gen[0].enable || gen[1].enable || gen[2].enable || gen[3].enable;
     }
+    bool operator==(const TextureUnit&) const = default;
 };
 /// GL_TEXTURE_BIT. PushAttrib also keeps the parameters of the bound textures.
 struct TextureState {
@@ -298,6 +319,7 @@ struct TextureState {
     bool uses_further_units() const {
         return units[1].is_enabled() || units[2].is_enabled() || units[3].is_enabled();
     }
+    bool operator==(const TextureState&) const = default;
 };
 
 /// GL_MULTISAMPLE_BIT. Only framebuffer objects may have samples.
@@ -305,12 +327,14 @@ struct MultisampleState {
     bool multisample = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
     float coverage_value = 1;
     bool coverage_invert = false;
+    bool operator==(const MultisampleState&) const = default;
 };
 
 /// GL_SCISSOR_BIT
 struct ScissorState {
     bool test = false;
     Rect box;
+    bool operator==(const ScissorState&) const = default;
 };
 
 /// All groups.
@@ -335,6 +359,7 @@ struct State {
     TextureState texture;
     ScissorState scissor;
     MultisampleState multisample;
+    bool operator==(const State&) const = default;
 };
 
 }  // namespace gw::gl

@@ -40,9 +40,10 @@ void set_filter(Context& context, GLenum& field, GLenum filter, bool known) {
 /// Sets a parameter that the machine's texture depends on.
 template <class T>
 void set_part(Context& context, std::size_t target, T TextureParameters::*which, T value) {
+    TextureObject& object = bound_texture(context, target);
+    if (object.parameters.*which == value) return;
     begin_change(context);
     const auto lock = context.shared->exclusive();
-    TextureObject& object = bound_texture(context, target);
     TextureParameters all = object.parameters;
     all.*which = value;
     object.set_parameters(all);
