@@ -22,13 +22,14 @@ std::vector<float> as_floats(const std::vector<std::array<std::int32_t, 4>>& acc
 }  // namespace
 
 void put_planes(OutputSet& files, const std::filesystem::path& folder, const Planes& planes,
-                const Profile& profile) {
+                const Profile& profile, const Picture* shown) {
     const int w = planes.width, h = planes.height;
     const auto put = [&](const char* name, Plane plane) {
         put_picture(files.add(folder / name), plane_picture(planes, plane, profile));
     };
     put("color.exr", Plane::Color);
-    put("color.png", Plane::Color);
+    put_picture(files.add(folder / "color.png"),
+                shown != nullptr ? *shown : plane_picture(planes, Plane::Color, profile));
     put_values(files.add(folder / "depth.exr"), {w, h, {"Z"}, planes.depth});
     put("depth.png", Plane::Depth);
     put_values(files.add(folder / "stencil.exr"), {w, h, {"S"}, widened(planes.stencil)});

@@ -46,8 +46,9 @@ int diff_manifests(const DiffOptions& options) {
     if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() ||
         b.values.empty())
         return Differs;
-    inspect::ResultDifference d = inspect::located(*finding, values_after(a, *finding->pass),
-                                                   values_after(b, *finding->pass));
+    const inspect::ResultDifference d = inspect::located({.finding = *finding,
+                                                          .a = values_after(a, *finding->pass),
+                                                          .b = values_after(b, *finding->pass)});
     print(inspect::text(d.finding, a.manifest.height) +
           inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
     if (!options.picture.empty()) image::write_picture(options.picture, picture_of(d));
@@ -59,13 +60,15 @@ int diff_recordings(const DiffOptions& options, Session& session, Progress& prog
                              b = load_recording({options.b, options.window}, session);
     const auto commands = first_command_difference(a, b);
     if (commands) print("commands: " + text(*commands, a.height));
+    const auto maps = first_map_difference(a, b);
+    if (maps) print("colour map: " + text(*maps, a.height));
     if (a.width != b.width || a.height != b.height) return Differs;
     progress.at("replaying");
     const auto result = first_result_difference(a, b, inspect::maker_of("fast"));
     if (!result) {
-        print(commands ? "result: the same planes after every pass that both have\n"
-                       : "the same commands; the same planes after every pass\n");
-        return commands ? Differs : Done;
+        print(commands || maps ? "result: the same planes after every pass that both have\n"
+                               : "the same commands; the same planes after every pass\n");
+        return commands || maps ? Differs : Done;
     }
     const ivec2 worst = *result->finding.pixel;
     print("result: " + text(result->finding, a.height));

@@ -40,7 +40,7 @@ void add_options(CLI::App& command, ReplayOptions& options) {
         ->type_name("DIR");
     command.add_flag(
         "--indices", options.indices,
-        "Of a program of IRIS GL in colour map mode: --output has the indices, low bits "
+        "Of a program of IRIS GL in colour map mode: pictures have the indices, low bits "
         "in R, high bits in G, instead of the map's colours");
     add_machine_options(command, options.machine);
 #ifdef GW_WITH_OPENGL
@@ -120,7 +120,8 @@ void write_files(const ReplayOptions& options, const inspect::Recording& recordi
     image::OutputSet output(session.inputs);
     if (!options.planes.empty()) {
         output.make_folder(options.planes);
-        image::put_planes(output, options.planes, planes, recording.profile);
+        const image::Picture shown = picture_of(options, recording, planes);
+        image::put_planes(output, options.planes, planes, recording.profile, &shown);
     }
     if (!options.picture.empty())
         image::put_picture(output.add(options.picture), picture_of(options, recording, planes));

@@ -1,8 +1,10 @@
 #include "inspect/compare/difference.h"
 
 #include "gw/names.h"
+#include "gw/stages/resolve.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/text/call_text.h"
 #include "inspect/text/state_fields.h"
 #include "inspect/text/value_text.h"
@@ -12,6 +14,8 @@
 
 #include <algorithm>
 #include <tuple>
+#include <type_traits>
+#include <variant>
 
 namespace gw::inspect {
 namespace {
@@ -153,16 +157,32 @@ inline constexpr auto members_of<DrawPixels> =
                named("colors", &DrawPixels::colors), named("depths", &DrawPixels::depths),
                named("stencils", &DrawPixels::stencils), named("bits", &DrawPixels::bits));
 
-/// The part of a command that differs: a name and both values.
+/// The part of a command that differs: a name and both values; of colours also as numbers.
 struct DifferentPart {
     std::string name, a, b;
+    using Color = std::variant<std::monostate, vec4, Rgba>;
+    Color color_a = {}, color_b = {};
 };
 using Parts = std::optional<DifferentPart>;
+
+/// Colours are floats, 0 to 1, or what a plane holds.
+template <typename T>
+DifferentPart part_of(const std::string& name, const T& a, const T& b) {
+    DifferentPart part{name, text(a), text(b)};
+    constexpr bool is_color = std::is_same_v<T, vec4> || std::is_same_v<T, Rgba>;
+    if constexpr (is_color) {
+        if (name == "color" || name == "current.color" || name.starts_with("colors ")) {
+            part.color_a = a;
+            part.color_b = b;
+        }
+    }
+    return part;
+}
 
 template <typename T>
 Parts difference(const std::string& name, const T& a, const T& b) {
     if (a == b) return {};
-    return DifferentPart{name, text(a), text(b)};
+    return part_of(name, a, b);
 }
 template <typename T>
 Parts difference(const std::string& name, const std::vector<T>& a, const std::vector<T>& b) {
@@ -171,7 +191,7 @@ Parts difference(const std::string& name, const std::vector<T>& a, const std::ve
         return DifferentPart{"number of " + name, std::to_string(a.size()),
                              std::to_string(b.size())};
     const auto [i, j] = std::mismatch(a.begin(), a.end(), b.begin());
-    return DifferentPart{fmt::format("{} {}", name, i - a.begin()), text(*i), text(*j)};
+    return part_of(fmt::format("{} {}", name, i - a.begin()), *i, *j);
 }
 
 Parts difference(const std::string& name, const TexelValues& a, const TexelValues& b) {
@@ -283,12 +303,23 @@ std::vector<const Command*> commands_of(const Recording& recording) {
     return all;
 }
 
+/// The index that a colour is, if `of` shows indices there; else `text`.
+std::string shown_color(const DifferentPart::Color& color, const std::string& text,
+                        const Recording& of, std::size_t command) {
+    const ColorMap* const map = ShownMaps(of).of(command);
+    if (map == nullptr) return text;
+    if (const auto* value = std::get_if<vec4>(&color))
+        return index_text(*map, quantize_color(*value, of.profile.color_bits));
+    if (const auto* value = std::get_if<Rgba>(&color)) return index_text(*map, *value);
+    return text;
+}
+
 /// Names the command and the pass that it is in.
-Finding finding_at(const Recording& a, std::size_t command, const char* name,
+Finding finding_at(const Recording& a, const Recording& b, std::size_t command, const char* name,
                    const DifferentPart& part) {
     Finding f{.what = fmt::format("command {} ({}), {}", command, name, part.name),
-              .expected = part.a,
-              .actual = part.b};
+              .expected = shown_color(part.color_a, part.a, a, command),
+              .actual = shown_color(part.color_b, part.b, b, command)};
     const auto passes = pass_ranges(a);
     for (std::size_t i = 0; i < passes.size(); ++i)
         if (command >= passes[i].first && command < passes[i].end) {
@@ -314,7 +345,7 @@ std::optional<Finding> first_command_difference(const Recording& a, const Record
     const auto p = commands_of(a), q = commands_of(b);
     for (std::size_t i = 0; i < std::min(p.size(), q.size()); ++i)
         if (const auto part = difference(*p[i], *q[i]))
-            return with_calls(finding_at(a, i, name_of(*p[i]), *part), a, b, i);
+            return with_calls(finding_at(a, b, i, name_of(*p[i]), *part), a, b, i);
     if (p.size() == q.size()) return {};
     return Finding{.what = "number of commands",
                    .expected = std::to_string(p.size()),

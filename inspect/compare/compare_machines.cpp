@@ -4,6 +4,7 @@
 #include "inspect/recording/check_lists.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 
 #include <fmt/format.h>
 
@@ -13,14 +14,14 @@ namespace gw::inspect {
 namespace {
 
 /// The first plane in a fragment's order that differs, and its first pixel.
-bool find_pixel(Finding& f, const Planes& expected, const Planes& actual) {
+bool find_pixel(Finding& f, const Planes& expected, const Planes& actual, const ColorMap* map) {
     for (const Plane plane : planes_in_order) {
         const auto pixel = first_difference(expected, actual, plane);
         if (!pixel) continue;
         f.what = std::string("plane ") + name_of(plane);
         f.pixel = pixel;
-        f.expected = value_at(expected, plane, pixel->x, pixel->y);
-        f.actual = value_at(actual, plane, pixel->x, pixel->y);
+        f.expected = shown_value(expected, plane, pixel->x, pixel->y, map);
+        f.actual = shown_value(actual, plane, pixel->x, pixel->y, map);
         return true;
     }
     return false;
@@ -63,12 +64,13 @@ std::optional<Finding> compare_machines(const Recording& recording, const Machin
 void locate(Finding& finding, const Recording& recording, const MachineMaker& expected,
             const MachineMaker& actual) {
     const PassRange range = pass_ranges(recording).at(*finding.pass);
+    const ShownMaps maps(recording);
     const auto a = expected(recording), b = actual(recording);
     Player player_a(recording, *a), player_b(recording, *b);
     for (std::size_t end = range.first; end <= range.end; ++end) {
         player_a.play_to(end);
         player_b.play_to(end);
-        if (!find_pixel(finding, a->planes(), b->planes())) continue;
+        if (!find_pixel(finding, a->planes(), b->planes(), maps.of_pass(*finding.pass))) continue;
         if (end > range.first)
             finding.notes.push_back(
                 fmt::format("after command {} of the recording ({}), the first whose planes differ",

@@ -6,6 +6,7 @@
 #include "inspect/compare/finding.h"
 #include "inspect/recording/recording.h"
 #include "inspect/replay/pixel_history.h"
+#include "inspect/shown/color_map.h"
 
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ struct ResultDifference {
     Finding finding;
     Plane plane = Plane::Color;
     Planes a, b;  ///< after the pass
+    /// Of the recordings, which must outlive it: the colours are indices. Null: they are not.
+    const ColorMap *map_a = nullptr, *map_b = nullptr;
 };
 
 /// Two recordings of the same window, pass by pass in their order, each on a machine of its own
@@ -30,13 +33,16 @@ std::optional<ResultDifference> first_result_difference(const Recording& a, cons
                                                         const MachineMaker& make);
 
 /// The planes after the finding's pass, and the worst pixel of the first plane that differs.
-ResultDifference located(Finding finding, Planes a, Planes b);
+ResultDifference located(ResultDifference of);
+
+/// The first pass after which a screen shows indices through different maps, and the first entry.
+std::optional<Finding> first_map_difference(const Recording& a, const Recording& b);
 
 /// The first event in a pixel's two histories that is not the same, as two lines; "" if they
 /// agree.
 std::string first_event_difference(const Recording& a, const Recording& b, int x, int y);
 
-/// "12 40: 10 10 10 255, 11 10 10 255", worst first, at most `most` lines. Picture coordinates.
+/// "12 40: 10 10 10 255, 11 10 10 255" or indices with their entries, worst first, at most `most` lines. Picture coordinates.
 std::string wrong_pixel_lines(const ResultDifference& difference, std::size_t most);
 
 }  // namespace gw::inspect

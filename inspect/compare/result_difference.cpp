@@ -2,6 +2,7 @@
 
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/text/plural.h"
 
 #include <fmt/format.h>
@@ -38,6 +39,22 @@ std::string event_line(const std::vector<PixelEvent>& events, std::size_t i) {
     return line;
 }
 
+/// Null: colours are not indices.
+Finding map_difference(const ColorMap* a, const ColorMap* b) {
+    const auto kind = [](const ColorMap* m) {
+        return m == nullptr ? "colours"
+                            : fmt::format("{} indices of {} bits, {} in R", name_of(m->planes),
+                                          m->bits, m->bits_in_r);
+    };
+    if (kind(a) != kind(b)) return {.what = "kind", .expected = kind(a), .actual = kind(b)};
+    const auto entry = [](const ColorMap& m, unsigned i) {
+        return fmt::format("{}", fmt::join(m.entry(i), " "));
+    };
+    unsigned i = 0;
+    while (i + 1 < a->entries.size() && entry(*a, i) == entry(*b, i)) ++i;
+    return {.what = fmt::format("entry {}", i), .expected = entry(*a, i), .actual = entry(*b, i)};
+}
+
 /// Of the planes that both have.
 bool same_digests(const PassReport& a, const PassReport& b) {
     return std::ranges::all_of(planes_in_order, [&](Plane plane) {
@@ -48,8 +65,7 @@ bool same_digests(const PassReport& a, const PassReport& b) {
 
 }  // namespace
 
-ResultDifference located(Finding finding, Planes a, Planes b) {
-    ResultDifference result{std::move(finding), Plane::Color, std::move(a), std::move(b)};
+ResultDifference located(ResultDifference result) {
     for (const Plane plane : planes_in_order) {
         const auto wrong = wrong_pixels(result.a, result.b, plane);
         if (wrong.empty()) continue;
@@ -58,8 +74,8 @@ ResultDifference located(Finding finding, Planes a, Planes b) {
         result.finding.what = fmt::format("plane {}, {}, the worst one", name_of(plane),
                                           plural(wrong.size(), "pixel", "pixels"));
         result.finding.pixel = ivec2(x, y);
-        result.finding.expected = value_at(result.a, plane, x, y);
-        result.finding.actual = value_at(result.b, plane, x, y);
+        result.finding.expected = shown_value(result.a, plane, x, y, result.map_a);
+        result.finding.actual = shown_value(result.b, plane, x, y, result.map_b);
         break;
     }
     return result;
@@ -72,7 +88,25 @@ std::optional<ResultDifference> first_result_difference(const Recording& a, cons
         if (same_digests(p[i], q[i])) continue;
         Finding finding{
             .pass = i, .pass_name = p[i].name, .stage = stage_of(p[i].counters, q[i].counters)};
-        return located(std::move(finding), planes_of(a, make, i), planes_of(b, make, i));
+        return located({.finding = std::move(finding),
+                        .a = planes_of(a, make, i),
+                        .b = planes_of(b, make, i),
+                        .map_a = ShownMaps(a).of_pass(i),
+                        .map_b = ShownMaps(b).of_pass(i)});
+    }
+    return {};
+}
+
+std::optional<Finding> first_map_difference(const Recording& a, const Recording& b) {
+    const ShownMaps maps_a(a), maps_b(b);
+    const auto passes = pass_ranges(a);
+    for (std::size_t i = 0; i < std::min(passes.size(), pass_ranges(b).size()); ++i) {
+        const ColorMap *p = maps_a.of_pass(i), *q = maps_b.of_pass(i);
+        if (p == q || (p != nullptr && q != nullptr && *p == *q)) continue;
+        Finding f = map_difference(p, q);
+        f.pass = i;
+        f.pass_name = passes[i].name;
+        return f;
     }
     return {};
 }
@@ -90,8 +124,9 @@ std::string wrong_pixel_lines(const ResultDifference& d, std::size_t most) {
     const auto wrong = wrong_pixels(d.a, d.b, d.plane);
     for (std::size_t i = 0; i < std::min(most, wrong.size()); ++i) {
         const auto [x, y, distance] = wrong[i];
-        lines += fmt::format("{} {}: {}, {}\n", x, d.a.height - 1 - y, value_at(d.a, d.plane, x, y),
-                             value_at(d.b, d.plane, x, y));
+        lines += fmt::format("{} {}: {}, {}\n", x, d.a.height - 1 - y,
+                             shown_value(d.a, d.plane, x, y, d.map_a),
+                             shown_value(d.b, d.plane, x, y, d.map_b));
     }
     if (wrong.size() > most) lines += fmt::format("... and {} more\n", wrong.size() - most);
     return lines;

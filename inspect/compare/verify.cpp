@@ -3,6 +3,7 @@
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/text/call_text.h"
 #include "inspect/text/plural.h"
 
@@ -96,7 +97,8 @@ bool is_as_said(const Planes& planes, const ManifestPass& pass) {
 }
 
 /// Names the first pixel of the finding's plane, and both values if they are known.
-void find_pixel(Finding& finding, const std::optional<Planes>& expected, const Planes& actual) {
+void find_pixel(Finding& finding, const std::optional<Planes>& expected, const Planes& actual,
+                const ColorMap* map) {
     if (!expected) {
         finding.notes.push_back(
             "the pixel is unknown: no file of values beside the manifest fits it");
@@ -107,8 +109,8 @@ void find_pixel(Finding& finding, const std::optional<Planes>& expected, const P
         if (!pixel) continue;
         finding.what = std::string("plane ") + name_of(plane);
         finding.pixel = pixel;
-        finding.expected = value_at(*expected, plane, pixel->x, pixel->y);
-        finding.actual = value_at(actual, plane, pixel->x, pixel->y);
+        finding.expected = shown_value(*expected, plane, pixel->x, pixel->y, map);
+        finding.actual = shown_value(actual, plane, pixel->x, pixel->y, map);
         finding.notes.push_back(plural(wrong_pixels(*expected, actual, plane).size(),
                                        "pixel of this plane differs",
                                        "pixels of this plane differ"));
@@ -127,16 +129,24 @@ bool changes(const PixelEvent& e, Plane plane) {
     return false;
 }
 
-/// Names the call that last changed the finding's plane at its pixel, in its pass.
+/// Names the call that last changed the finding's plane at its pixel, in its pass. An exchange of
+/// buffers only moves what was drawn to the other one.
 void find_call(Finding& finding, const Recording& recording) {
     if (!finding.pixel || CallNames(recording).empty()) return;
-    const auto plane = std::ranges::find_if(planes_in_order, [&](Plane p) {
+    Plane plane = *std::ranges::find_if(planes_in_order, [&](Plane p) {
         return finding.what == std::string("plane ") + name_of(p);
     });
-    std::string last;
-    for (const PixelEvent& e : pixel_history(recording, finding.pixel->x, finding.pixel->y))
-        if (e.pass == *finding.pass && changes(e, *plane) && !e.call.empty()) last = e.call;
-    if (!last.empty()) finding.notes.push_back("last written by " + last);
+    const auto events = pixel_history(recording, finding.pixel->x, finding.pixel->y);
+    for (auto e = events.rbegin(); e != events.rend(); ++e) {
+        if (e->pass != *finding.pass) continue;
+        if (std::string_view(e->command_name) == "SwapBuffers") {
+            if (plane == Plane::Color || plane == Plane::Back)
+                plane = plane == Plane::Color ? Plane::Back : Plane::Color;
+        } else if (changes(*e, plane)) {
+            if (!e->call.empty()) finding.notes.push_back("last written by " + e->call);
+            return;
+        }
+    }
 }
 
 }  // namespace
@@ -171,7 +181,7 @@ Verification verify(const Recording& recording, const Manifest& manifest,
                                      : planes_after(values, recording.width, recording.height, pass,
                                                     recording.profile.color_planes);
     if (is_as_said(expected, manifest.passes[pass])) v.expected_planes = std::move(expected);
-    find_pixel(*v.finding, v.expected_planes, *v.actual_planes);
+    find_pixel(*v.finding, v.expected_planes, *v.actual_planes, ShownMaps(recording).of_pass(pass));
     find_call(*v.finding, recording);
     return v;
 }

@@ -30,4 +30,11 @@ const ColorMap* ShownMaps::last() const {
     return after_lists_.empty() ? nullptr : after_lists_.back();
 }
 
+std::string shown_value(const Planes& planes, Plane plane, int x, int y, const ColorMap* map) {
+    if (map == nullptr || (plane != Plane::Color && plane != Plane::Back))
+        return value_at(planes, plane, x, y);
+    const Rgba& color = (plane == Plane::Color ? planes.color : planes.back)[planes.index(x, y)];
+    return index_change_text(*map, color, color);
+}
+
 }  // namespace gw::inspect

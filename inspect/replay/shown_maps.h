@@ -2,8 +2,10 @@
 // all lists.
 #pragma once
 
+#include "gw/names.h"
 #include "inspect/recording/recording.h"
 
+#include <string>
 #include <vector>
 
 namespace gw::inspect {
@@ -15,6 +17,8 @@ public:
 
     /// At the end of the command's pass. Null: colours are not indices.
     const ColorMap* of(std::size_t command) const;
+    /// At the end of the pass at this place.
+    const ColorMap* of_pass(std::size_t pass) const { return of(pass_ends_.at(pass) - 1); }
     /// At the recording's end.
     const ColorMap* last() const;
 
@@ -23,5 +27,9 @@ private:
     std::vector<std::size_t> list_ends_;  ///< commands up to and with each list
     std::vector<std::size_t> pass_ends_;
 };
+
+/// The plane's value at a pixel of the window, as gw::value_at; of colours with a map, "index 37
+/// through map entry 37 (200 100 50)".
+std::string shown_value(const Planes& planes, Plane plane, int x, int y, const ColorMap* map);
 
 }  // namespace gw::inspect

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 namespace gw::report {
@@ -37,6 +38,10 @@ constexpr PassPictures::Shown usual_planes[] = {
     {"back", Plane::Back},   {"accum", Plane::Accum}, {"polygons", {}, polygons_of}};
 constexpr PassPictures::Shown shown_identifiers{"identifiers", {}, colors_as_ids};
 
+bool is_of_colors(const PassPictures::Shown& shown) {
+    return shown.plane == Plane::Color || shown.plane == Plane::Back;
+}
+
 /// As a screen shows it.
 image::Picture mapped_picture(const std::vector<Rgba>& colors, const Snapshot& s) {
     return image::picture_of(inspect::through_map(colors, *s.map), s.planes.width, s.planes.height,
@@ -45,14 +50,30 @@ image::Picture mapped_picture(const std::vector<Rgba>& colors, const Snapshot& s
 
 image::Picture picture_of(const PassPictures::Shown& shown, const Snapshot& s,
                           const Profile& profile) {
-    if (s.map != nullptr && shown.plane == Plane::Color) return mapped_picture(s.planes.color, s);
-    if (s.map != nullptr && shown.plane == Plane::Back) return mapped_picture(s.planes.back, s);
+    if (s.map != nullptr && is_of_colors(shown))
+        return mapped_picture(shown.plane == Plane::Back ? s.planes.back : s.planes.color, s);
     if (shown.plane) return image::plane_picture(s.planes, *shown.plane, profile);
     return image::id_colors(shown.ids(s), s.planes.width, s.planes.height, 0);
 }
 
+bool same_map(const inspect::ColorMap* a, const inspect::ColorMap* b) {
+    return a == b || (a != nullptr && b != nullptr && *a == *b);
+}
+
+/// Of pictures: the sums of their channels' distances, bottom row first.
+std::vector<std::uint64_t> distances(const image::Picture& before, const image::Picture& after) {
+    std::vector<std::uint64_t> apart(after.values.size() / std::size_t(after.channels));
+    for (std::size_t i = 0; i < after.values.size(); ++i)
+        apart[i / std::size_t(after.channels)] +=
+            std::uint64_t(std::abs(int(after.values[i]) - int(before.values[i])));
+    return apart;
+}
+
+/// Of values; of colours through another map, as they are shown.
 std::vector<std::uint64_t> distances(const PassPictures::Shown& shown, const Snapshot& before,
-                                     const Snapshot& after) {
+                                     const Snapshot& after, const Profile& profile) {
+    if (is_of_colors(shown) && !same_map(before.map, after.map))
+        return distances(picture_of(shown, before, profile), picture_of(shown, after, profile));
     if (shown.plane) return inspect::distances(before.planes, after.planes, *shown.plane);
     const auto a = shown.ids(before), b = shown.ids(after);
     std::vector<std::uint64_t> apart;
@@ -81,7 +102,7 @@ nlohmann::ordered_json PassPictures::plane_json(const Shown& shown, std::size_t 
     const std::string name = fmt::format("{:04}_{}", pass, shown.name);
     if (file.empty()) file = put(name + "_before", picture_of(shown, last_, profile_));
     nlohmann::ordered_json json{{"before", file}};
-    const auto apart = distances(shown, last_, after);
+    const auto apart = distances(shown, last_, after, profile_);
     const auto changed = std::ranges::count_if(apart, [](std::uint64_t d) { return d != 0; });
     if (changed > 0) {
         const image::Picture picture = picture_of(shown, after, profile_);

@@ -3,6 +3,7 @@
 #include "gw/names.h"
 #include "inspect/manifest/json_of.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "inspect/report/tile_history.h"
 #include "inspect/text/call_text.h"
 
@@ -30,20 +31,58 @@ Json span_json(const std::optional<PassSpan>& span) {
     return span ? Json{{"first", span->first}, {"last", span->last}} : Json();
 }
 
-Json pass_json(const ReportFacts& facts, std::size_t i, const inspect::PassRange& range) {
+/// The colour maps of passes that are shown, asked for in their order.
+class MapsJson {
+public:
+    explicit MapsJson(const inspect::Recording& recording) : maps_(recording) {}
+
+    /// The pass's place in `all`; nothing: its colours are no indices.
+    std::optional<std::size_t> place_of(std::size_t pass) {
+        const inspect::ColorMap* const map = maps_.of_pass(pass);
+        if (map == nullptr) return {};
+        if (last_ == nullptr || *map != *last_) add(*map);
+        return all.size() - 1;
+    }
+
+    Json all = Json::array();
+
+private:
+    /// With the entries that the map before it has not.
+    void add(const inspect::ColorMap& map) {
+        Json changes = Json::array();
+        for (std::size_t i = 0; i < map.entries.size(); ++i) {
+            const bool is_known = last_ != nullptr && i < last_->entries.size();
+            if (map.entries[i] != (is_known ? last_->entries[i] : 0))
+                changes.push_back({i, map.entries[i]});
+        }
+        all.push_back({{"planes", name_of(map.planes)},
+                       {"bits", map.bits},
+                       {"bits_in_r", map.bits_in_r},
+                       {"changes", changes}});
+        last_ = &map;
+    }
+
+    inspect::ShownMaps maps_;
+    const inspect::ColorMap* last_ = nullptr;
+};
+
+Json pass_json(const ReportFacts& facts, std::size_t i, const inspect::PassRange& range,
+               MapsJson& maps) {
     const inspect::ManifestPass& pass = facts.manifest.passes[i];
     Json state = Json::array();
     for (const inspect::Field& field : pass.state) state.push_back({field.name, field.value});
-    return {{"pass", i},
-            {"name", pass.report.name},
-            {"set", pass.set},
-            {"first", range.first},
-            {"end", range.end},
-            {"state", state},
-            {"counters", inspect::json_of(pass.report.counters)},
-            {"estimated_seconds", estimated_seconds(pass.report.counters, facts.options.prices)},
-            {"identifiers", bool(facts.identifiers[i])},
-            {"planes", facts.pictures[i - facts.shown.first]}};
+    Json json{{"pass", i},
+              {"name", pass.report.name},
+              {"set", pass.set},
+              {"first", range.first},
+              {"end", range.end},
+              {"state", state},
+              {"counters", inspect::json_of(pass.report.counters)},
+              {"estimated_seconds", estimated_seconds(pass.report.counters, facts.options.prices)},
+              {"identifiers", bool(facts.identifiers[i])},
+              {"planes", facts.pictures[i - facts.shown.first]}};
+    if (const auto map = maps.place_of(i)) json["map"] = *map;
+    return json;
 }
 
 /// Commands by their places: a history names them.
@@ -82,26 +121,28 @@ Json calls_json(const ReportFacts& facts, const std::vector<inspect::PassRange>&
 std::string report_json(const ReportFacts& facts) {
     const auto ranges = inspect::pass_ranges(facts.recording);
     Json passes = Json::array();
+    MapsJson maps(facts.recording);
     for (std::size_t i = facts.shown.first; i <= facts.shown.last; ++i)
-        passes.push_back(pass_json(facts, i, ranges[i]));
-    const Json report{{"version", 1},
-                      {"file", facts.options.file},
-                      {"command", facts.options.command},
-                      {"language", facts.options.language == Language::Japanese ? "ja" : "en"},
-                      {"producer", facts.recording.producer},
-                      {"scene", facts.recording.scene},
-                      {"renderer", facts.recording.renderer},
-                      {"profile", inspect::json_of(facts.recording.profile)},
-                      {"width", facts.recording.width},
-                      {"height", facts.recording.height},
-                      {"passes_of_recording", facts.manifest.passes.size()},
-                      {"small", facts.with_small},
-                      {"time", prices_json(facts.options.prices)},
-                      {"history", span_json(facts.history)},
-                      {"tile", TileHistory::side},
-                      {"commands", commands_json(facts, ranges)},
-                      {"calls", calls_json(facts, ranges)},
-                      {"passes", passes}};
+        passes.push_back(pass_json(facts, i, ranges[i], maps));
+    Json report{{"version", 1},
+                {"file", facts.options.file},
+                {"command", facts.options.command},
+                {"language", facts.options.language == Language::Japanese ? "ja" : "en"},
+                {"producer", facts.recording.producer},
+                {"scene", facts.recording.scene},
+                {"renderer", facts.recording.renderer},
+                {"profile", inspect::json_of(facts.recording.profile)},
+                {"width", facts.recording.width},
+                {"height", facts.recording.height},
+                {"passes_of_recording", facts.manifest.passes.size()},
+                {"small", facts.with_small},
+                {"time", prices_json(facts.options.prices)},
+                {"history", span_json(facts.history)},
+                {"tile", TileHistory::side},
+                {"commands", commands_json(facts, ranges)},
+                {"calls", calls_json(facts, ranges)},
+                {"passes", passes}};
+    if (!maps.all.empty()) report["maps"] = maps.all;
     return report.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -148,6 +148,37 @@ TEST(Calls, ThatChangedThePlaneAreNamedNotThoseThatChangedAnother) {
     EXPECT_EQ(v.finding->notes.back(), "last written by call 12 glClear");
 }
 
+/// A pixel is drawn to the back buffer by call 12, to the front one by 101, and both are exchanged.
+Recording exchanged(float back) {
+    Recording r;
+    r.width = r.height = 1;
+    r.profile.color_planes = 2;
+    r.lists.resize(1);
+    r.lists[0].add(BeginPass{"frame 0"});
+    for (const auto& [buffer, red] :
+         {std::pair{DrawBuffer::Back, back}, {DrawBuffer::Front, 1.0f}}) {
+        r.lists[0].add(SetState{State{.draw_buffer = buffer}});
+        r.lists[0].add(Clear{.planes = mask_of(Plane::Color), .color = {red, 0, 0, 1}});
+    }
+    r.lists[0].add(SwapBuffers{});
+    CallTable table{.functions = {"glClear", "glXSwapBuffers"}};
+    table.runs = {{.command = 2, .call = {.number = 12}},
+                  {.command = 4, .call = {.number = 101}},
+                  {.command = 5, .call = {.number = 102, .function = 1}}};
+    r.calls = {table};
+    return r;
+}
+
+TEST(Calls, ThatDrewToTheOtherBufferAreNamedAfterAnExchange) {
+    ValuesWriter values(1, 1, 2);
+    const Manifest manifest = replayed_manifest(exchanged(0.25f), maker_of("fast"), &values);
+    const auto v =
+        verify(exchanged(0.5f), manifest, values.finish(), maker_of("fast"), maker_of("reference"));
+    ASSERT_TRUE(v.finding);
+    EXPECT_EQ(v.finding->what, "plane color");
+    EXPECT_EQ(v.finding->notes.back(), "last written by call 12 glClear");
+}
+
 TEST(Calls, StandInDifferences) {
     Recording other = called();
     too_green(other.lists[0].commands[3]);

@@ -1,10 +1,13 @@
 // Claims: a recording keeps the maps through which a screen shows indices; the histories of pixels and
 // pictures use the map at the end of the pass.
 #include "gw/error.h"
+#include "inspect/compare/difference.h"
+#include "inspect/compare/verify.h"
 #include "inspect/recording/stream.h"
 #include "inspect/replay/pixel_history.h"
 #include "inspect/replay/shown_maps.h"
 #include "tests/inspect/three_passes.h"
+#include "tests/inspect/wrong_machine.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -131,6 +134,54 @@ TEST(ColorMaps, StandInHistories) {
     EXPECT_FALSE(history_json(three_passes(), 3, 2,
                               pixel_history(three_passes(), 3, 2))["events"][1]["after"]
                      .contains("index"));
+}
+
+// The last list writes index 6 in place of 5.
+TEST(ColorMaps, StandInFindings) {
+    const MachineMaker fast = maker_of("fast", 1);
+    Recording other = indices();
+    const auto one_more = [](Command& command) {
+        if (auto* pixels = std::get_if<WritePixels>(&command); pixels && pixels->colors[0][0] == 5)
+            pixels->colors[0][0] = 6;
+    };
+    for (Command& command : other.lists[2].commands) one_more(command);
+    const std::string five = "index 5 through map entry 5 (5 10 15)",
+                      six = "index 6 through map entry 6 (6 12 18)";
+    const auto machines = compare_machines(indices(), fast, wrong(one_more));
+    ASSERT_TRUE(machines);
+    EXPECT_EQ(machines->expected, five);
+    EXPECT_EQ(machines->actual, six);
+    ValuesWriter values(1, 1);
+    const Manifest manifest = replayed_manifest(indices(), fast, &values);
+    const auto verified = verify(other, manifest, values.finish(), fast, fast);
+    ASSERT_TRUE(verified.finding);
+    EXPECT_EQ(verified.finding->expected, five);
+    EXPECT_EQ(verified.finding->actual, six);
+    const Recording a = indices(), b = other;
+    const auto result = first_result_difference(a, b, fast);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->finding.expected, five);
+    EXPECT_EQ(result->finding.actual, six);
+    EXPECT_EQ(wrong_pixel_lines(*result, 5), "0 0: " + five + ", " + six + "\n");
+    const auto commands = first_command_difference(a, b);
+    ASSERT_TRUE(commands);
+    EXPECT_EQ(commands->expected, "index 5");
+    EXPECT_EQ(commands->actual, "index 6");
+    EXPECT_FALSE(first_map_difference(a, b));
+}
+
+TEST(ColorMaps, ThatDifferAreNamedByTheirFirstEntry) {
+    const Recording a = indices();
+    Recording b = indices();
+    b.color_maps[1]->entries[300] = 1 | 2 << 8 | 3 << 16;
+    auto found = first_map_difference(a, b);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(text(*found, 1), "pass 0 'frame 0', entry 300: expected 44 88 132, got 1 2 3\n");
+    b.color_maps[1] = ColorMap{};
+    found = first_map_difference(a, b);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(text(*found, 1),
+              "pass 0 'frame 0', kind: expected window indices of 12 bits, 8 in R, got colours\n");
 }
 
 TEST(ColorMaps, OfPlanesAboveNameThemAndShowWhatIsBelow) {

@@ -1,6 +1,6 @@
 // Histories of pixels. They lie in scripts of 64 x 64 pixels, loaded on demand: a page from disk
 // may run scripts but not read files. Does not show anything.
-import type { Report } from './report';
+import type { MapChange, Pass, Report } from './report';
 
 type Four = readonly number[];
 export interface PixelValues {
@@ -125,4 +125,34 @@ export function callOf(report: Report, event: PixelEvent, first: number): string
   const [begin, before, number, step, after, primitive, ordinal] = run;
   const named = `${before}${number + step * (place - begin)}${after}`;
   return event.fragment && primitive ? `${named}, ${primitive} ${ordinal + place - begin}` : named;
+}
+
+export interface ColorMap extends MapChange {
+  readonly entries: ReadonlyMap<number, number>;
+}
+
+/** The maps of a report, whole. */
+export function mapsOf(report: Report): ColorMap[] {
+  const maps: ColorMap[] = [];
+  for (const map of report.maps ?? []) {
+    const last = maps.at(-1);
+    const known = [...(last?.entries ?? [])].filter(([index]) => index < 2 ** last!.bits);
+    maps.push({ ...map, entries: new Map([...known, ...map.changes]) });
+  }
+  return maps;
+}
+
+export const mapOf = (maps: readonly ColorMap[], pass: Pass): ColorMap | undefined =>
+  pass.map === undefined ? undefined : maps[pass.map];
+
+export function indexOf(map: ColorMap, [r, g]: readonly number[]): number {
+  const inR = 2 ** map.bits_in_r - 1;
+  return ((r! & inR) | (g! << map.bits_in_r)) & (2 ** map.bits - 1);
+}
+
+/** R, G, B of an index, 0 to 255; undefined: what is below shows. */
+export function entryOf(map: ColorMap, index: number): readonly number[] | undefined {
+  if (index === 0 && map.planes !== 'window') return undefined;
+  const rgb = map.entries.get(index) ?? 0;
+  return [rgb & 255, (rgb >> 8) & 255, (rgb >> 16) & 255];
 }

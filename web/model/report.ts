@@ -35,7 +35,20 @@ export interface Pass {
   readonly counters: Readonly<Record<string, number>>;
   readonly estimated_seconds: number;
   readonly identifiers: boolean;
+  /** Through which a screen shows its colours: a place in Report.maps. */
+  readonly map?: number;
   readonly planes: Readonly<Partial<Record<PlaneName, PlanePictures>>>;
+}
+
+/** A map as a report has it. */
+export interface MapChange {
+  /** 'window'; index 0 of planes above or below it shows what is below. */
+  readonly planes: string;
+  readonly bits: number;
+  /** Of an index, its lowest; the others are in G. */
+  readonly bits_in_r: number;
+  /** Indices and colours, R in the lowest byte, that the map before it has not. */
+  readonly changes: readonly (readonly [number, number])[];
 }
 
 export interface Price {
@@ -69,6 +82,8 @@ export interface Report {
   readonly commands: readonly string[];
   readonly calls: readonly (readonly CallRun[])[];
   readonly passes: readonly Pass[];
+  /** Without them no colour is an index. */
+  readonly maps?: readonly MapChange[];
 }
 
 export const isInside = (report: Report, x: number, y: number): boolean =>

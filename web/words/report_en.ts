@@ -22,6 +22,10 @@ export const report = {
   changed_pixels: '{0} pixels changed',
   not_changed: 'unchanged',
   legend_color: 'The frame buffer as it is. Click a pixel for its history.',
+  legend_indices:
+    'Indices, in the colours of their entries of the map. Click a pixel for its history.',
+  map_entry: 'index {0} ({1})',
+  map_below: 'index {0}: what is below',
   legend_depth:
     'Red is nearest, then yellow, green and cyan, blue farthest; nothing is black. In the difference, the lighter the larger.',
   legend_stencil:

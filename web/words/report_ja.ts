@@ -24,6 +24,10 @@ export const report: Readonly<Record<keyof typeof english, string>> = {
   changed_pixels: '{0} 画素が変化',
   not_changed: '変化なし',
   legend_color: 'フレームバッファそのままの色。画素をクリックすると、その履歴が出ます。',
+  legend_indices:
+    'インデックスを、カラーマップの色で示します。画素をクリックすると、その履歴が出ます。',
+  map_entry: 'インデックス {0}（{1}）',
+  map_below: 'インデックス {0}：下の面が見えます',
   legend_depth:
     '赤が最も近く、黄・緑・水色と続き、青が最も遠い。何もない所は黒。差は大きいほど明るい。',
   legend_stencil: '0 は黒。1、2、3、… は赤、緑、青、黄、水色、紫、白、その後は同じ順で暗くなる。',
