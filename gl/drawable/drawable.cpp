@@ -137,8 +137,21 @@ void Drawable::end_frame() {
     const auto lock = exclusive();
     front_drawn_ = false;
     if (frame_.is_new()) return;
-    if (log) log->end_frame(*this);
+    if (log) {
+        log->end_frame(*this);
+        logged_indices_ = shown_indices();
+    }
     frame_.end();
+}
+
+void Drawable::end_recolored_frame() {
+    const auto lock = exclusive();
+    if (!log || !frame_.is_new() || frame_.number() == 0) return;
+    if (shown_indices() == logged_indices_) return;
+    log->begin_frame(*this);
+    frame_.begin();
+    flush(Cause::Shown);
+    end_frame();
 }
 
 void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls) {

@@ -103,6 +103,9 @@ public:
                      ReadLayout layout = {});
     /// How its window shows the colours now, if they are indices.
     virtual ShownIndices shown_indices() const { return {}; }
+    /// If somebody listens: ends a frame in which nothing was drawn, if it is shown in other colours
+    /// than the one before.
+    void end_recolored_frame();
     /// Whether nobody sees it: its program may never swap.
     virtual bool is_off_screen() const { return false; }
 
@@ -157,6 +160,7 @@ private:
     std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
     CollectedCommands executed_;              ///< by it
     Frame frame_;
+    ShownIndices logged_indices_;  ///< of the last frame that ended, if somebody listens
     SampleCounts counts_;
     std::vector<QueryResult> counted_behind_;  ///< by background_
     bool front_changed_ = false;

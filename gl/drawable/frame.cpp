@@ -19,9 +19,14 @@ std::size_t pixel_bytes(const gw::DrawPixels& pixels) {
 
 }  // namespace
 
+void Frame::begin() {
+    if (std::exchange(is_new_, false))
+        commands_.list.add(BeginPass{"frame " + std::to_string(number_)});
+}
+
 void Frame::add(Command command, std::span<const CallRun> calls) {
+    begin();
     CommandList& list = commands_.list;
-    if (std::exchange(is_new_, false)) list.add(BeginPass{"frame " + std::to_string(number_)});
     if (const auto* draw = std::get_if<Draw>(&command))
         vertices_ += draw->mesh->vertex_count();
     else if (const auto* pixels = std::get_if<gw::DrawPixels>(&command))

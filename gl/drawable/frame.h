@@ -29,7 +29,8 @@ public:
     /// The state after the commands so far; null: none has set one.
     const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
 
-    /// The first command begins a pass, "frame 12".
+    /// Begins its pass, "frame 12", as the first command does.
+    void begin();
     void add(Command command, std::span<const CallRun> calls = {});
     /// A read of the plane's colours or values, with the key 0. Part of no frame.
     void add_read(Plane plane, const Rect& rect, bool packed);

@@ -15,6 +15,7 @@ struct ShownIndices {
     int bits = 0;                        ///< of an index; 0: colours are not indices
     int bits_in_r = 8;                   ///< of an index, its lowest; the others are in G
     std::vector<std::uint32_t> entries;  ///< 2^bits of 8 bits a channel, R lowest
+    bool operator==(const ShownIndices&) const = default;
 };
 
 }  // namespace gw::gl

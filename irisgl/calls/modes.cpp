@@ -102,9 +102,13 @@ void gflush() {
     pass(parts_of_flush);
 }
 void finish() { gflush(); }
-void gsync() { pass(parts_of_frame); }
-long sginap(long) {
+void gsync() {
+    wait_on_screen(1000 / 60);
+    pass(parts_of_frame);
+}
+long sginap(long ticks) {
     gflush();
+    wait_on_screen(int(std::clamp(ticks, 0L, 100L)) * 10);
     pass(parts_of_frame);
     return 0;
 }

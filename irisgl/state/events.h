@@ -59,6 +59,8 @@ void enter(unsigned device, long value);
 /// Takes what the screen and the script have, shows what was drawn, and ends a program that waits in
 /// vain (`waits`), or has shown its last frame.
 void poll(bool waits);
+/// Shows the map. On a screen, time passes and events come.
+void wait_on_screen(int milliseconds);
 /// Counts a call as `parts` of a frame: a loop of such calls ends with GW_FRAMES.
 void pass(unsigned parts);
 /// The script's next events are due: a swap.

@@ -165,23 +165,36 @@ void poll(bool waits) {
     static Clock::time_point shown;
     if (has_screen()) {
         if (waits || Clock::now() - shown > frame_time) {
-            if (!w.state.double_buffered) w.show_front();
-            w.present();
+            w.state.double_buffered ? w.show_map() : w.show_front();
             shown = Clock::now();
         }
         listen(0);
         if (!waits) pass(parts_of_poll);
         while (waits && all.queue.empty()) {
             blink_colors();
-            w.present();
+            w.show_map();
             listen(20);
             play_script(true);
         }
         return;
     }
-    if (!w.state.double_buffered && waits) w.show_front();
+    if (waits) w.state.double_buffered ? w.show_map() : w.show_front();
     if (waits && all.queue.empty()) end_program("qread: no more events come");
     pass(parts_of_poll);
+}
+
+void wait_on_screen(int milliseconds) {
+    if (program().current == nullptr) return;
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::milliseconds(milliseconds);
+    blink_colors();
+    program().current->show_map();
+    while (has_screen()) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        listen(int(std::max<long>(left, 0)));
+        if (left <= 0) return;
+    }
 }
 
 void pass(unsigned parts) {
@@ -195,7 +208,7 @@ void pass(unsigned parts) {
     if (has_screen() && !ends) return;  // whoever looks at it ends it
     ++all.frame;
     Window& w = *program().current;
-    if (!w.state.double_buffered) w.show_front();
+    w.state.double_buffered ? w.show_map() : w.show_front();
     if (all.frame > frames.last) end_program("the last frame of GW_FRAMES is over");
 }
 

@@ -20,6 +20,9 @@ public:
           which_(which) {}
     const Planes& shown() override { return of_.shown(); }
     gl::ShownIndices shown_indices() const override;
+    void present() override {
+        if (take_front_changed()) of_.show_again();
+    }
 
 private:
     static constexpr std::array words{" overlay", " underlay", " pop-up"};
@@ -90,6 +93,14 @@ void Window::take_size(int w, int h) {
 
 void Window::show_front() {
     if (program().current == this) gl::finish_drawing(context);
+    show_map();
+}
+
+void Window::show_map() {
+    end_recolored_frame();
+    for (const auto& planes : aside_)
+        if (planes) planes->end_recolored_frame();
+    present();
 }
 
 void Window::show_again() {
@@ -157,6 +168,7 @@ void Window::compose(std::span<std::uint32_t> pixels) {
     for (const std::size_t which : {1u, 0u, 2u}) {
         if (!aside_[which]) continue;
         const unsigned mask = (1u << aside_index_bits(which)) - 1;
+        aside_[which]->flush(gl::Cause::Copy);
         const Planes& planes = aside_[which]->planes();
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const unsigned index = planes.color[i][0] & mask;

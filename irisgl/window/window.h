@@ -53,8 +53,10 @@ public:
     void select_planes();
     /// Gives the planes another size. Their contents are lost.
     void take_size(int w, int h);
-    /// Shows what was drawn to the front buffer.
+    /// Shows what was drawn to the front buffer, and the map.
     void show_front();
+    /// Shows the same pixels, if their colours are others. That is a frame too.
+    void show_map();
     /// Shows the picture again: another map, another menu.
     void show_again();
 

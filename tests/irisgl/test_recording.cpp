@@ -4,6 +4,7 @@
 #include "gl/drawable/settings.h"
 #include "gl/record/recording.h"
 #include "inspect/replay/pixel_history.h"
+#include "inspect/replay/player.h"
 #include "inspect/replay/shown_maps.h"
 #include "tests/irisgl/support.h"
 #include "tests/temporary_folder.h"
@@ -193,6 +194,47 @@ TEST_F(IrisGlRecording, HasTheMapOfEachFramesEnd) {
         if (rows[i][5] == "written") back.push_back(rows[i][11]);
     EXPECT_EQ(back, (Words{"index 0 > 37 through map entry 37 (1 1 1)",
                            "index 37 through map entry 37 (2 2 2)"}));
+}
+
+// Colours that cycle: nothing is drawn, another map is shown.
+TEST_F(IrisGlRecording, HasAFrameForEachMapThatIsShownWithoutDrawing) {
+    doublebuffer();
+    gconfig();
+    color(37);
+    clear();
+    mapcolor(37, 1, 1, 1);
+    swapbuffers();
+    mapcolor(37, 2, 2, 2);
+    gsync();
+    gsync();  // the same
+    mapcolor(37, 3, 3, 3);
+    mapcolor(37, 4, 4, 4);
+    const inspect::Recording r = recorded();
+    Words shown;
+    const inspect::ShownMaps maps(r);
+    for (std::size_t i = 0; const inspect::PassRange& pass : inspect::pass_ranges(r))
+        shown.push_back(pass.name + ": " + std::to_string(maps.of_pass(i++)->entry(37)[0]));
+    EXPECT_EQ(shown, (Words{"frame 0: 1", "frame 1: 2", "frame 2: 4"}));
+    EXPECT_EQ(colors(r, 3, 3).size(), 2u) << "cleared and exchanged";
+}
+
+TEST_F(IrisGlRecording, HasMapsOfPlanesAboveThatAreShownWithoutDrawing) {
+    overlay(2);
+    gconfig();
+    drawmode(OVERDRAW);
+    color(2);
+    mapcolor(2, 1, 1, 1);
+    rectfi(1, 1, 4, 4);
+    drawmode(NORMALDRAW);
+    clear();
+    gsync();
+    drawmode(OVERDRAW);
+    mapcolor(2, 2, 2, 2);
+    drawmode(NORMALDRAW);
+    const inspect::Recording r = recorded(" overlay");
+    ASSERT_EQ(inspect::pass_ranges(r).size(), 2u);
+    EXPECT_EQ(inspect::ShownMaps(r).of_pass(0)->entry(2)[0], 1);
+    EXPECT_EQ(inspect::ShownMaps(r).last()->entry(2)[0], 2);
 }
 
 TEST_F(IrisGlRecording, NamesThePlanesAboveTheWindow) {
