@@ -105,6 +105,9 @@ void setpattern(short index) {
 
 void glcompat(long mode, long value) {
     if (mode == GLC_OLDPOLYGON) program().are_polygons_old = value != 0;
+    if (mode != GLC_ZRANGEMAP) return;
+    program().are_depths_mapped = value != 0;
+    if (program().current != nullptr) apply_depth();
 }
 long getlstyle() { return state().now.linestyle; }
 long getlwidth() { return long(state().now.line_width); }

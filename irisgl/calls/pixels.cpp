@@ -207,6 +207,11 @@ bool is_sane(const Bounds& at) { return at.width() <= 8192 && at.height() <= 819
 
 }  // namespace
 
+Pixels32 read_rectangle(int left, int bottom, int width, int height) {
+    const Bounds at{left, left + width - 1, bottom, bottom + height - 1};
+    return is_sane(at) ? read(at) : Pixels32();
+}
+
 long rectread(Screencoord x1, Screencoord y1, Screencoord x2, Screencoord y2, short* p) {
     const Bounds at = bounds_of(x1, y1, x2, y2);
     if (p == nullptr || !is_sane(at)) return 0;

@@ -8,8 +8,11 @@
 #include <GL/gl.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace gw::irisgl::calls {
 
@@ -86,6 +89,50 @@ void use_texture() {
     (s.textured ? glEnable : glDisable)(GL_TEXTURE_2D);
 }
 
+/// A part of a texture: new texels, and the first one's place.
+struct TexturePart {
+    TextureDefinition texels;
+    long x = 0, y = 0;
+};
+
+/// Left, right, bottom, top from 0 to 1. Nothing: no such part.
+std::optional<TexturePart> part_of(const std::string& function, long target, long index,
+                                   const std::array<float, 4>& sides) {
+    const auto found = program().textures.find(index);
+    if (target != TX_TEXTURE_0 || found == program().textures.end()) {
+        warn(function + ": texture " + std::to_string(index) +
+             "; expected TX_TEXTURE_0 and a defined texture; it is ignored");
+        return {};
+    }
+    const TextureDefinition& t = found->second;
+    const auto texel = [](float at, long size) {
+        return at >= 0 && at <= 1 ? std::lround(at * float(size)) : 0;
+    };
+    const long x = texel(sides[0], t.width), y = texel(sides[2], t.height);
+    TexturePart part{{.components = t.components,
+                      .width = texel(sides[1], t.width) - x,
+                      .height = texel(sides[3], t.height) - y},
+                     x,
+                     y};
+    const auto& [width, height] = std::pair(part.texels.width, part.texels.height);
+    if (x >= 0 && y >= 0 && width > 0 && height > 0 && x + width <= t.width &&
+        y + height <= t.height)
+        return part;
+    warn(function + ": texels " + std::to_string(x) + " to " + std::to_string(x + width - 1) +
+         ", " + std::to_string(y) + " to " + std::to_string(y + height - 1) +
+         "; expected a part of the texture; it is ignored");
+    return {};
+}
+
+void put(const TexturePart& part, long index) {
+    TextureDefinition& t = program().textures.at(index);
+    const long width = part.texels.width;
+    for (long row = 0; row < part.texels.height; ++row)
+        std::copy_n(part.texels.rgba.begin() + 4 * row * width, 4 * width,
+                    t.rgba.begin() + 4 * ((part.y + row) * t.width + part.x));
+    if (state().bound_texture == index) upload(t);
+}
+
 constexpr GLenum axes[] = {GL_S, GL_T, GL_R, GL_Q};
 
 }  // namespace
@@ -125,30 +172,30 @@ void texbind(long target, long index) {
 // Rows of the part begin at whole words, as those of a whole texture.
 void subtexload(long target, long index, float left, float right, float bottom, float top, long n,
                 Words texels, unsigned long) {
-    const auto found = program().textures.find(index);
-    if (target != TX_TEXTURE_0 || found == program().textures.end())
-        return warn("subtexload: texture " + std::to_string(index) +
-                    "; expected TX_TEXTURE_0 and a defined texture; it is ignored");
-    TextureDefinition& t = found->second;
-    const auto texel = [](float at, long size) { return std::lround(at * float(size)); };
-    const long x = texel(left, t.width), y = texel(bottom, t.height);
-    TextureDefinition part{.components = t.components,
-                           .width = texel(right, t.width) - x,
-                           .height = texel(top, t.height) - y};
-    const long words = (part.width * part.components + 3) / 4 * part.height;
-    const bool fits = x >= 0 && y >= 0 && part.width > 0 && part.height > 0 &&
-                      x + part.width <= t.width && y + part.height <= t.height;
-    if (!fits || n < words || !texels.is_given())
-        return warn("subtexload: texels " + std::to_string(x) + " to " +
-                    std::to_string(x + part.width - 1) + ", " + std::to_string(y) + " to " +
-                    std::to_string(y + part.height - 1) + " of " + std::to_string(n) +
-                    " words; expected a part of the texture, and " + std::to_string(words) +
-                    " words; it is ignored");
-    read_texels(part, texels);
-    for (long row = 0; row < part.height; ++row)
-        std::copy_n(part.rgba.begin() + 4 * row * part.width, 4 * part.width,
-                    t.rgba.begin() + 4 * ((y + row) * t.width + x));
-    if (state().bound_texture == index) upload(t);
+    auto part = part_of("subtexload", target, index, {left, right, bottom, top});
+    if (!part) return;
+    TextureDefinition& texture = part->texels;
+    const long words = (texture.width * texture.components + 3) / 4 * texture.height;
+    if (n < words || !texels.is_given())
+        return warn("subtexload: " + std::to_string(n) + " words; expected " +
+                    std::to_string(words) + "; it is ignored");
+    read_texels(texture, texels);
+    put(*part, index);
+}
+
+void fbsubtexload(long x, long y, long target, long index, float left, float right, float bottom,
+                  float top, unsigned long) {
+    auto part = part_of("fbsubtexload", target, index, {left, right, bottom, top});
+    if (!part) return;
+    TextureDefinition& texture = part->texels;
+    for (const std::uint32_t pixel :
+         read_rectangle(int(x), int(y), int(texture.width), int(texture.height)))
+        for (const int channel : {0, 1, 2, 3}) {
+            const bool is_grey = texture.components < 3, has_alpha = texture.components % 2 == 0;
+            const std::uint32_t value = pixel >> 8 * (is_grey && channel < 3 ? 0 : channel);
+            texture.rgba.push_back(channel == 3 && !has_alpha ? 255 : std::uint8_t(value));
+        }
+    put(*part, index);
 }
 
 void tevdef(long index, long n, Values props) {

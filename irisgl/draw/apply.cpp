@@ -113,7 +113,7 @@ void apply_depth() {
     glStencilOp(operation(0), operation(1), operation(tests ? 2 : 1));
     glDepthFunc(GL_NEVER + GLenum(s.depth_function));
     glDepthMask(s.depth_write ? GL_TRUE : GL_FALSE);
-    glDepthRange(depth_of(s.near), depth_of(s.far));
+    glDepthRange(depth_of_range(s.near), depth_of_range(s.far));
 }
 
 namespace {

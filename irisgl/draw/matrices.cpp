@@ -44,7 +44,7 @@ std::optional<dvec3> window_from_object(const dvec4& p) {
     const dvec4 clip = clip_from_object(p);
     if (!(clip.w > 0)) return std::nullopt;
     const Bounds& v = state().viewport;
-    const double near = depth_of(state().near), far = depth_of(state().far);
+    const double near = depth_of_range(state().near), far = depth_of_range(state().far);
     return dvec3{v.left + (clip.x / clip.w + 1) / 2 * v.width(),
                  v.bottom + (clip.y / clip.w + 1) / 2 * v.height(),
                  near + (clip.z / clip.w + 1) / 2 * (far - near)};
@@ -117,7 +117,12 @@ bool own_edge_pixels(std::vector<dvec4>& corners) {
 
 double depth_of(long z) {
     const double at = double(std::int32_t(std::uint32_t(z)) - z_min) / double(z_max - z_min);
-    return at < 0 ? 0 : at > 1 ? 1 : at;
+    return std::clamp(at, 0.0, 1.0);
+}
+
+double depth_of_range(long z) {
+    if (!program().are_depths_mapped) return depth_of(z);
+    return std::clamp(double(std::int32_t(std::uint32_t(z))) / double(z_max), 0.0, 1.0);
 }
 
 }  // namespace gw::irisgl

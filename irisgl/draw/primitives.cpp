@@ -59,7 +59,7 @@ unsigned rounded(double index) {
 /// Depth cueing: colours by the vertices' depths.
 void cue(std::vector<Vertex>& vertices) {
     const DepthCue& cue = state().cue;
-    const double near = depth_of(cue.near), far = depth_of(cue.far);
+    const double near = depth_of_range(cue.near), far = depth_of_range(cue.far);
     for (Vertex& v : vertices) {
         const auto at = window_from_object(v.p);
         const double z = at ? at->z : 0;

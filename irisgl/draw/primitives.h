@@ -66,6 +66,8 @@ dvec4 clip_from_object(const dvec4& p);
 std::optional<dvec3> window_from_object(const dvec4& p);
 /// A depth of IRIS GL as 0 .. 1.
 double depth_of(long z);
+/// Of the arguments of lsetdepth, lshaderange and lRGBrange, as GLC_ZRANGEMAP says.
+double depth_of_range(long z);
 /// OpenGL's current colour for an index, as the planes hold it.
 void gl_index_color(unsigned index);
 /// Whether colours are indices in the draw mode.

@@ -131,6 +131,8 @@ struct Program {
     bool is_cursor_on = true;
     /// glcompat: polygons but those of bgnpolygon, bgntmesh and bgnqstrip own the pixels of their edges.
     bool are_polygons_old = true;
+    /// glcompat: ranges of depths are 0 to z_max on any machine.
+    bool are_depths_mapped = false;
 };
 
 /// The process' one. Never destroyed: exit handlers may draw.

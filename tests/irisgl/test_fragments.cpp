@@ -182,6 +182,39 @@ TEST_F(IrisGlFragments, DepthCueingChoosesIndicesByDepth) {
     for (int z = 0; z <= 4; ++z) EXPECT_EQ(index_at(z, 2), 300 - 50 * z) << z;
 }
 
+// Z from near to far in 4 units: of a range from 0, and of the same range mapped to all depths.
+TEST_F(IrisGlFragments, RangesOfDepthsCanBeThoseOfAnyMachine) {
+    cmode();
+    ortho(-0.5f, 15.5f, -0.5f, 15.5f, 0, 4);
+    const auto depth_at = [](float z) {
+        zclear();
+        zbuffer(TRUE);
+        pnt(3, 3, -z);
+        zbuffer(FALSE);
+        readsource(SRC_ZBUFFER);
+        unsigned long depth = 0;
+        lrectread(3, 3, 3, 3, &depth);
+        readsource(SRC_AUTO);
+        return std::int32_t(std::uint32_t(depth));
+    };
+    lsetdepth(0, 0x7fffff);
+    EXPECT_EQ(depth_at(0), 0);
+    EXPECT_NEAR(depth_at(2), 0x400000, 1);
+    glcompat(GLC_ZRANGEMAP, 1);
+    EXPECT_EQ(depth_at(0), -0x800000);
+    EXPECT_NEAR(depth_at(2), 0, 1);
+    long near = 1, far = 1;
+    lgetdepth(&near, &far);
+    EXPECT_EQ(near, 0);
+    EXPECT_EQ(far, 0x7fffff);
+    lshaderange(100, 300, 0, 0x7fffff);
+    depthcue(TRUE);
+    pnt(3, 2, -1);
+    depthcue(FALSE);
+    EXPECT_EQ(index_at(3, 2), 250);
+    glcompat(GLC_ZRANGEMAP, 0);
+}
+
 TEST_F(IrisGlFragments, BlinkingColoursNeedAScreen) {
     cmode();
     mapcolor(20, 1, 2, 3);

@@ -127,6 +127,32 @@ TEST_F(IrisGlManual, APartOfATextureIsLoaded) {
     texbind(TX_TEXTURE_0, 0);
 }
 
+// Two rows of the window, the lower red, the upper blue, become the upper half of 4 x 4 green texels.
+TEST_F(IrisGlManual, APartOfATextureIsLoadedFromTheFrameBuffer) {
+    rgb();
+    std::vector<unsigned long> greens(16, 0xFF00FF00);
+    float point[] = {TX_MINFILTER, TX_POINT, TX_MAGFILTER, TX_POINT, TX_NULL};
+    float decal[] = {TV_DECAL, TV_NULL};
+    tevdef(8, 2, decal);
+    texdef2d(8, 4, 4, 4, greens.data(), 5, point);
+    tevbind(TV_ENV0, 8);
+    texbind(TX_TEXTURE_0, 0);
+    cpack(0xFF0000FF);
+    rectfi(9, 3, 12, 3);
+    cpack(0xFFFF0000);
+    rectfi(9, 4, 12, 4);
+    texbind(TX_TEXTURE_0, 8);
+    fbsubtexload(9, 3, TX_TEXTURE_0, 8, 0, 1, 0.5f, 1, 0);
+    square();
+    EXPECT_EQ(shown(7, 5), green);
+    EXPECT_EQ(shown(7, 9), red);
+    EXPECT_EQ(shown(7, 11), 0xFF0000u);
+    fbsubtexload(0, 0, TX_TEXTURE_0, 8, 0, 2, 0, 1, 0);  // refused
+    square();
+    EXPECT_EQ(shown(7, 5), green);
+    texbind(TX_TEXTURE_0, 0);
+}
+
 TEST_F(IrisGlManual, PixelsAreNotTextured) {
     rgb();
     unsigned long texels[4] = {0xFF00FF00, 0xFF00FF00, 0xFF00FF00, 0xFF00FF00};
