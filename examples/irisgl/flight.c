@@ -3,7 +3,8 @@
  *
  * The hills are drawn row by row, the farthest first; each patch covers what
  * lies behind it, so no Z-buffer is needed. Depth cueing makes far lines dark:
- * the machine takes the index of a line's pixel from its depth.
+ * the machine takes the index of a line's pixel from its depth. The instruments
+ * are in the overlay planes: the hills are drawn below them and need not know.
  *
  * Mouse left and right: turn. Up and down: climb and sink. Arrow keys do the
  * same. Menu of the right button: speed, depth cueing, hills or lines only.
@@ -13,6 +14,7 @@
 #include <gl.h>
 #include <device.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #define SIDE 44                 /* patches that are seen, each way */
@@ -20,6 +22,7 @@
 #define LAST 127
 #define SKY 32
 #define GROUND 33
+#define DIAL 1                  /* of the overlay planes */
 
 #define SLOW   1
 #define FAST   2
@@ -49,6 +52,14 @@ colors()
     }
     mapcolor(SKY, 12, 16, 40);
     mapcolor(GROUND, 8, 20, 24);
+    drawmode(OVERDRAW);
+    mapcolor(DIAL, 255, 40, 40);
+    drawmode(NORMALDRAW);
+}
+
+view()
+{
+    perspective(600, 1.6, 0.3, 60.0);
 }
 
 /* A patch and its edges, since it covers those of its neighbours. */
@@ -116,6 +127,36 @@ hills()
             }
 }
 
+/* A scale of degrees that moves with the heading, and the height. */
+instruments()
+{
+    double degrees = 90.0 - heading * 180.0 / M_PI;
+    int first = (int) floor(degrees / 10.0) - 6, i, x;
+    char text[32];
+
+    depthcue(FALSE);
+    drawmode(OVERDRAW);
+    ortho2(-0.5, 639.5, -0.5, 399.5);
+    color(0);
+    clear();
+    color(DIAL);
+    for (i = first; i < first + 14; i++) {
+        x = 320 + (int) ((i * 10 - degrees) * 3.0);
+        move2i(x, 372);
+        draw2i(x, i % 3 == 0 ? 384 : 378);
+    }
+    move2i(320, 368);
+    draw2i(320, 360);
+    sprintf(text, "%03d", ((int) floor(degrees + 0.5) % 360 + 360) % 360);
+    cmov2i(308, 344);
+    charstr(text);
+    sprintf(text, "height %4.1f", ez);
+    cmov2i(16, 16);
+    charstr(text);
+    drawmode(NORMALDRAW);
+    view();
+}
+
 frame()
 {
     color(SKY);
@@ -124,6 +165,7 @@ frame()
     lookat(ex, ez, -ey, ex + cos(heading), ez - 0.25, -ey - sin(heading), 0);
     hills();
     popmatrix();
+    instruments();
     swapbuffers();
 }
 
@@ -165,10 +207,11 @@ main()
     winopen("flight");
     doublebuffer();
     cmode();
+    overlay(2);
     gconfig();
     colors();
     mmode(MVIEWING);
-    perspective(600, 1.6, 0.3, 60.0);
+    view();
     lsetdepth(0x0, 0x7fffff);
     /* Near lines are bright. Depths of a perspective crowd at the far end. */
     lshaderange(FIRST, LAST, 0x780000, 0x7fffff);

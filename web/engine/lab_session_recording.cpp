@@ -37,10 +37,15 @@ inspect::WindowRecording chosen_window(std::vector<inspect::WindowRecording> win
     auto found = std::find_if(windows.begin(), windows.end(), fits);
     if (found == windows.end()) {
         if (!name.empty()) throw Error("the recording has no window '" + name + "'");
-        const auto fewer = [](const auto& a, const auto& b) {
-            return frames_of(a.recording).size() < frames_of(b.recording).size();
+        const auto is_less = [](const auto& a, const auto& b) {
+            const auto rank = [](const inspect::Recording& r) {
+                const inspect::ColorMap* const map = inspect::ShownMaps(r).last();
+                const bool is_aside = map != nullptr && map->planes != inspect::IndexPlanes::Window;
+                return std::pair(!is_aside, frames_of(r).size());
+            };
+            return rank(a.recording) < rank(b.recording);
         };
-        found = std::max_element(windows.begin(), windows.end(), fewer);
+        found = std::max_element(windows.begin(), windows.end(), is_less);
     }
     if (found == windows.end() || frames_of(found->recording).empty())
         throw Error("the recording has no frame; expected a program that draws");
@@ -92,7 +97,8 @@ Json LabSession::recording(const Json& options) {
     const std::filesystem::path file = options.at("file").get<std::string>();
     inspect::Stream stream = inspect::read_recordings(file);
     Json names = Json::array();
-    for (const inspect::WindowRecording& window : stream.windows) names.push_back(window.name);
+    for (const inspect::WindowRecording& window : stream.windows)
+        if (!frames_of(window.recording).empty()) names.push_back(window.name);
     inspect::WindowRecording window =
         chosen_window(std::move(stream.windows), options.value("window", ""));
     recorded_ = std::move(window.recording);

@@ -28,7 +28,7 @@ export const programs = {
   program_spin_see: 'On and off. At rest, two recordings can be compared.',
   program_flight: 'Flight over hills',
   program_flight_about:
-    'No Z-buffer here. The hills are drawn row by row, the farthest first, and each patch covers what lies behind it. Depth cueing makes far lines dark: the machine takes the index of a pixel from its depth.',
+    'No Z-buffer here. The hills are drawn row by row, the farthest first, and each patch covers what lies behind it. Depth cueing makes far lines dark: the machine takes the index of a pixel from its depth. The instruments stand in overlay planes, above the hills, with a map of their own.',
   program_flight_press:
     'The mouse, or the arrow keys: left and right turn, up and down climb and sink. Escape: the end.',
   program_cueing: 'Depth cueing',
@@ -54,6 +54,11 @@ export const programs = {
   program_recorded: 'The recording',
   program_recorded_look:
     'A frame in the order in which the program drew it. Letters are polygons too, one for each run of pixels. Step through it, and click a pixel for its history.',
+  program_planes: 'Planes',
+  program_window: 'window {0}',
+  program_overlay: 'overlay',
+  program_underlay: 'underlay',
+  program_popup: 'pop-up',
   program_frame: 'Frame',
   program_step: 'Step',
   program_step_of: 'Step {0} of {1}:',

@@ -27,7 +27,7 @@ export const programs = {
   program_spin_see: '入と切。止めれば二つの記録を比べられます。',
   program_flight: '丘の上の飛行',
   program_flight_about:
-    'ここに Zバッファはありません。丘は遠い列から順に描き、各面がその後ろを覆います。デプスキューイングは遠い線を暗くします。機械が画素のインデックスを奥行きから決めるのです。',
+    'ここに Zバッファはありません。丘は遠い列から順に描き、各面がその後ろを覆います。デプスキューイングは遠い線を暗くします。機械が画素のインデックスを奥行きから決めるのです。計器は丘の上のオーバーレイにあり、そのカラーマップは別です。',
   program_flight_press: 'マウスか矢印キー：左右で向きを変え、上下で上昇と下降。Escape：終了。',
   program_cueing: 'デプスキューイング',
   program_cueing_see: '入と切。なければ、近い線も遠い線も同じ明るさです。',
@@ -51,6 +51,11 @@ export const programs = {
   program_recorded: '記録',
   program_recorded_look:
     'プログラムが描いた順に一フレームをたどります。文字も、画素の並びごとに一つのポリゴンです。ステップを進め、画素をクリックすると履歴が出ます。',
+  program_planes: 'プレーン',
+  program_window: 'ウィンドウ {0}',
+  program_overlay: 'オーバーレイ',
+  program_underlay: 'アンダーレイ',
+  program_popup: 'ポップアップ',
   program_frame: 'フレーム',
   program_step: 'ステップ',
   program_step_of: 'ステップ {0}/{1}：',

@@ -22,6 +22,11 @@ namespace {
 
 constexpr const char* file = "/tmp/recording.gwt";
 
+/// Planes above or below a window: they are recorded with it.
+bool are_aside(const Drawable& drawable) {
+    return drawable.shown_indices().planes != IndexPlanes::Window;
+}
+
 class PageRecorder : public FrameLog {
 public:
     /// From the next frame on; a recording that is not ready begins again.
@@ -36,7 +41,7 @@ public:
         if (recording_) recording_->open(drawable);
     }
     void begin_frame(Drawable& drawable) override {
-        if (wanted_ != 0 && !recording_) begin(drawable.profile());
+        if (wanted_ != 0 && !recording_ && !are_aside(drawable)) begin(drawable.profile());
         if (!recording_) return;
         ended_.try_emplace(drawable.name(), 0);
         recording_->begin_frame(drawable);
@@ -48,7 +53,7 @@ public:
         const auto ended = ended_.find(drawable.name());
         if (!recording_ || ended == ended_.end()) return;
         recording_->end_frame(drawable);
-        if (++ended->second == wanted_) finish();
+        if (++ended->second == wanted_ && !are_aside(drawable)) finish();
     }
     void close(Drawable& drawable) override {
         if (recording_) recording_->close(drawable);

@@ -3,6 +3,7 @@
 import type { CounterValues } from '../passes/protocol';
 
 export interface RecordingFacts {
+  /** That have frames; planes above or below one are named "window 1 overlay". */
   readonly windows: readonly string[];
   readonly window: string;
   readonly width: number;

@@ -217,6 +217,26 @@ it('records several frames, and switches depth cueing by its menu', async () => 
   expect(await greens()).toBe(1);
 });
 
+it('shows the overlay planes of a recording, and their map', async () => {
+  await begin('&program=flight');
+  await record();
+  const planes = () =>
+    thePage().$$eval('select.planes option', (all) => all.map((e) => (e as HTMLElement).innerText));
+  expect(await planes()).toEqual(['window 1', 'window 1, overlay']);
+  const whole = await text('.recording .whole');
+  await thePage().select('select.planes', 'window 1 overlay');
+  await thePage().waitForFunction(
+    (old) => document.querySelector<HTMLElement>('.recording .whole')!.innerText.trim() !== old,
+    {},
+    whole,
+  );
+  await lastStep();
+  const isDrawn = (data: number[]) =>
+    data.some((r, i) => i % 4 === 0 && r === 255 && data[i + 1] === 40 && data[i + 2] === 40);
+  await thePage().waitForFunction(() => !document.querySelector('.busy'));
+  expect(isDrawn(await pixelsOf(thePage(), 'figure.colors canvas'))).toBe(true);
+});
+
 it('says when the program has ended, and begins again', async () => {
   const frame = await begin();
   await frame.focus('canvas');
