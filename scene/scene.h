@@ -33,9 +33,9 @@ struct Map {
     /// the picture file itself, if it lies within another file; `file` is then a name for messages
     std::shared_ptr<const std::string> bytes;
     Origin origin;
-    Wrap wrap = Wrap::Repeat;  ///< MTL -clamp on: Clamp
-    vec2 offset{0, 0};         ///< MTL -o: added to s, t after scale
-    vec2 scale{1, 1};          ///< MTL -s
+    Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;  ///< MTL -clamp on: Clamp
+    vec2 offset{0, 0};                                  ///< MTL -o: added to s, t after scale
+    vec2 scale{1, 1};                                   ///< MTL -s
     /// above 0: no file, but generated from the scene with this many texels a side [K3.1]
     int from_scene = 0;
     TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)

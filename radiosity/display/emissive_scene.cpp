@@ -34,7 +34,8 @@ scene::Material emissive(scene::Material material, const TextureRef& texture) {
     material.Ke = vec3(1);
     material.map_Ka.clear();
     material.map_Kd.clear();
-    material.map_Ke = {scene::Map{.wrap = Wrap::Clamp, .texture = texture}};
+    material.map_Ke = {
+        scene::Map{.wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .texture = texture}};
     return material;
 }
 

@@ -86,7 +86,8 @@ bool lights_object(const Light& light, const Object& object) {
 TextureState texture_state(const Map& map) {
     TextureState state;
     state.min_filter = MinFilter::LinearMipmapLinear;
-    state.wrap_s = state.wrap_t = map.wrap;
+    state.wrap_s = map.wrap_s;
+    state.wrap_t = map.wrap_t;
     return state;
 }
 

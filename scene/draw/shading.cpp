@@ -34,19 +34,24 @@ struct Place {
     double f, g;
 };
 
-Place place_in(const TextureLevel& level, const dvec2& st, Wrap wrap) {
+/// In s and in t.
+struct Wraps {
+    Wrap s, t;
+};
+
+Place place_in(const TextureLevel& level, const dvec2& st, Wraps wraps) {
     const double u = st.x * level.width - 0.5, v = st.y * level.height - 0.5;
     const double i = std::floor(u), j = std::floor(v);
     const auto row = [&](double k) {
-        return std::size_t(folded(k, level.height, wrap)) * std::size_t(level.width);
+        return std::size_t(folded(k, level.height, wraps.t)) * std::size_t(level.width);
     };
-    const auto column = [&](double k) { return std::size_t(folded(k, level.width, wrap)); };
+    const auto column = [&](double k) { return std::size_t(folded(k, level.width, wraps.s)); };
     return {{row(j), row(j + 1)}, {column(i), column(i + 1)}, u - i, v - j};
 }
 
 /// Bilinear: texel centres lie at half numbers.
-dvec3 in_level(const TextureLevel& level, const dvec2& st, Wrap wrap) {
-    const Place p = place_in(level, st, wrap);
+dvec3 in_level(const TextureLevel& level, const dvec2& st, Wraps wraps) {
+    const Place p = place_in(level, st, wraps);
     const double* fraction = fractions().data();
     const auto texel = [&](std::size_t row, std::size_t column) {
         const std::uint16_t* rgba = &level.rgba[4 * (p.row[row] + p.column[column])];
@@ -68,15 +73,15 @@ double level_of_detail(const Texture& texture, const dvec2& dx, const dvec2& dy)
     return rho > 1 ? std::min(log(rho) / log_2, double(texture.levels.size() - 1)) : 0;
 }
 
-dvec3 sample(const Map& map, Wrap wrap, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
+dvec3 sample(const Map& map, Wraps wraps, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
     if (!map.texture) return dvec3(1);
     const dvec2 scale(map.scale), at = st * scale + dvec2(map.offset);
     const double lod = level_of_detail(*map.texture, st_dx * scale, st_dy * scale);
     const auto level = std::size_t(lod);
     const double f = lod - double(level);
-    const dvec3 fine = in_level(map.texture->levels[level], at, wrap);
+    const dvec3 fine = in_level(map.texture->levels[level], at, wraps);
     if (f == 0) return fine;
-    return (1 - f) * fine + f * in_level(map.texture->levels[level + 1], at, wrap);
+    return (1 - f) * fine + f * in_level(map.texture->levels[level + 1], at, wraps);
 }
 
 double eta(const Material& material) { return material.Ni > 0 ? 1.0 / double(material.Ni) : 1.0; }
@@ -84,12 +89,13 @@ double eta(const Material& material) { return material.Ni > 0 ? 1.0 / double(mat
 }  // namespace
 
 dvec3 sample(const Map& map, const dvec2& st, const dvec2& st_dx, const dvec2& st_dy) {
-    return sample(map, map.wrap, st, st_dx, st_dy);
+    return sample(map, {map.wrap_s, map.wrap_t}, st, st_dx, st_dy);
 }
 
 dvec3 far_color(std::span<const Map> maps, const dvec3& d) {
     dvec3 sum(0);
-    for (const Map& map : maps) sum += sample(map, Wrap::Clamp, sphere_map(d), dvec2(0), dvec2(0));
+    for (const Map& map : maps)
+        sum += sample(map, {Wrap::Clamp, Wrap::Clamp}, sphere_map(d), dvec2(0), dvec2(0));
     return sum;
 }
 

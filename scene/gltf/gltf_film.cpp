@@ -1,9 +1,12 @@
 #include "scene/gltf/gltf_film.h"
 
 #include "gw/base/elementary.h"
+#include "gw/error.h"
+#include "scene/geometry/transform.h"
 #include "scene/gltf/accessors.h"
 #include "scene/gltf/gltf_camera.h"
 #include "scene/gltf/read_gltf.h"
+#include "scene/text/suggest.h"
 
 #include <algorithm>
 #include <array>
@@ -14,11 +17,13 @@ namespace {
 
 struct Channel {
     std::size_t node = 0;  ///< into the list of placed_nodes
-    enum Path { Translation, Rotation, Scale } path = Translation;
+    enum Path { Translation, Rotation, Scale, Weights } path = Translation;
     Keys keys;
 };
 
-Keys read_keys(const GltfDocument& document, const JsonValue& sampler, std::size_t width) {
+/// `type`: of an element; of SCALAR, `width` elements are one value.
+Keys read_keys(const GltfDocument& document, const JsonValue& sampler, std::size_t width,
+               const char* type) {
     Keys keys{.width = width};
     const JsonValue input = sampler.at("input"), output = sampler.at("output");
     for (const float time : read_floats(document, input, {"SCALAR"}).numbers) {
@@ -26,7 +31,7 @@ Keys read_keys(const GltfDocument& document, const JsonValue& sampler, std::size
             input.fail("has no increasing times from 0; expected such");
         keys.times.push_back(double(time));
     }
-    const Elements<float> values = read_floats(document, output, {width == 4 ? "VEC4" : "VEC3"});
+    const Elements<float> values = read_floats(document, output, {type});
     const auto word = sampler.find("interpolation");
     const std::string kind = word ? word->text() : "LINEAR";
     if (kind == "STEP") keys.interpolation = Interpolation::Step;
@@ -34,16 +39,26 @@ Keys read_keys(const GltfDocument& document, const JsonValue& sampler, std::size
     if (kind != "STEP" && kind != "LINEAR" && kind != "CUBICSPLINE")
         word->fail_expected("STEP, LINEAR or CUBICSPLINE");
     const bool cubic = keys.interpolation == Interpolation::Smooth;
-    const std::size_t expected = keys.times.size() * (cubic ? 3 : 1);
+    const std::size_t tuples = keys.times.size() * (cubic ? 3 : 1),
+                      expected = tuples * width / values.components;
     if (values.count() != expected)
         output.fail("has " + std::to_string(values.count()) + " elements; expected " +
                     std::to_string(expected) + " for " + std::to_string(keys.times.size()) +
                     " times");
     std::vector<double>* const lists[] = {&keys.slopes_in, &keys.values, &keys.slopes_out};
-    for (std::size_t i = 0; i < values.count(); ++i)
+    for (std::size_t i = 0; i < tuples; ++i)
         for (std::size_t k = 0; k < width; ++k)
-            (cubic ? lists[i % 3] : &keys.values)->push_back(double(values[i][k]));
+            (cubic ? lists[i % 3] : &keys.values)->push_back(double(values.numbers[i * width + k]));
     return keys;
+}
+
+/// The morph targets of a node's mesh.
+std::size_t targets_of(const GltfDocument& document, const JsonValue& node) {
+    const auto mesh = node.find("mesh");
+    if (!mesh) return 0;
+    const JsonValue primitives = document.element("meshes", *mesh).at("primitives");
+    const auto targets = primitives.size() ? primitives[0].find("targets") : std::nullopt;
+    return targets ? targets->size() : 0;
 }
 
 /// None for what is left out, with a warning.
@@ -51,22 +66,27 @@ std::optional<Channel> read_channel(const GltfDocument& document, const JsonValu
                                     const JsonValue& json, const std::vector<std::size_t>& placed) {
     const JsonValue target = json.at("target"), path = target.at("path");
     const auto node = target.find("node");
-    constexpr std::array paths{"translation", "rotation", "scale"};
+    constexpr std::array paths{"translation", "rotation", "scale", "weights"};
+    constexpr std::array types{"VEC3", "VEC4", "VEC3", "SCALAR"};
     const auto found = std::ranges::find(paths, path.text());
-    if (!node || found == paths.end()) {
+    const std::size_t targets = node ? targets_of(document, document.element("nodes", *node)) : 0;
+    if (!node || found == paths.end() || (found == paths.begin() + 3 && targets == 0)) {
         document.warn("channel", "an animation of " + path.text() + " is left out");
         return std::nullopt;
     }
     const JsonValue owner = document.element("nodes", *node);
-    if (owner.find("matrix"))
+    Channel channel;
+    channel.path = Channel::Path(found - paths.begin());
+    if (channel.path != Channel::Weights && owner.find("matrix"))
         owner.fail("has a matrix and is animated; expected translation, rotation and scale");
     const JsonValue samplers = animation.at("samplers"), index = json.at("sampler");
     if (samplers.size() == 0) index.fail_expected("an index into samplers, which are none");
-    Channel channel;
-    channel.path = Channel::Path(found - paths.begin());
     channel.node = placed[node->whole(0, placed.size() - 1)];
     channel.keys = read_keys(document, samplers[index.whole(0, samplers.size() - 1)],
-                             channel.path == Channel::Rotation ? 4 : 3);
+                             channel.path == Channel::Weights    ? targets
+                             : channel.path == Channel::Rotation ? 4
+                                                                 : 3,
+                             types[channel.path]);
     if (channel.node == GltfNode::no_parent) return std::nullopt;  // not in the scene
     return channel;
 }
@@ -123,12 +143,16 @@ public:
 
     void operator()(Scene& scene, double time) const {
         std::vector<GltfNode> nodes = nodes_;
-        for (const Channel& channel : channels_) set(nodes[channel.node].place, channel, time);
+        for (const Channel& channel : channels_)
+            if (channel.path != Channel::Weights) set(nodes[channel.node].place, channel, time);
         place_in_world(nodes);
         for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(origin_, 0);
         for (std::size_t i = 0; i < holders_.objects.size() && i < scene.objects.size(); ++i)
             scene.objects[i].world_from_object =
                 visible(nodes[holders_.objects[i]].world_from_node);
+        for (const GltfShaped& shaped : holders_.shaped)
+            if (shaped.object < scene.objects.size())
+                reshape(scene.objects[shaped.object], shaped, nodes, time);
         for (std::size_t i = 0; i < holders_.lights.size() && i < scene.lights.size(); ++i) {
             const dmat4& world = nodes[holders_.lights[i]].world_from_node;
             scene.lights[i].position = vec3(dvec3(world[3]));
@@ -139,6 +163,20 @@ public:
     }
 
 private:
+    void reshape(Object& object, GltfShaped shaped, const std::vector<GltfNode>& nodes,
+                 double time) const {
+        shaped.base -= origin_;
+        for (const Channel& channel : channels_)
+            if (channel.path == Channel::Weights && channel.node == shaped.node)
+                shaped.weights = channel.keys.at(time);
+        std::optional<MeshData> mesh = posed(shaped, nodes, object.mesh->data().polygon_ids);
+        if (!mesh)
+            throw Error("object '" + printable(object.name) +
+                        "' has a vertex beyond 1e18; expected less");
+        object.mesh = make_mesh(*std::move(mesh));
+        if (shaped.skin) object.world_from_object = translation(shaped.base);
+    }
+
     std::vector<GltfNode> nodes_;
     GltfHolders holders_;
     std::vector<Channel> channels_;
@@ -154,8 +192,7 @@ std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vect
     if (count > 1)
         document.warn("animations",
                       "has " + std::to_string(count) + " animations; animations[0] is played");
-    std::vector<std::size_t> placed(document.count("nodes"), GltfNode::no_parent);
-    for (std::size_t i = 0; i < nodes.size(); ++i) placed[nodes[i].index] = i;
+    const std::vector<std::size_t> placed = places_of(document, nodes);
     const JsonValue animation = document.root().at("animations")[0];
     const JsonValue list = animation.at("channels");
     Film film;

@@ -1,8 +1,9 @@
-// Animations of nodes [GLTF2 3.11] as a film: the first one of the file. Does not read morph targets.
+// Animations of nodes and of weights of morph targets [GLTF2 3.11] as a film: the first one of the
+// file. Does not read what they move.
 #pragma once
 
 #include "scene/film.h"
-#include "scene/gltf/gltf_nodes.h"
+#include "scene/gltf/gltf_shape.h"
 
 #include <optional>
 
@@ -12,9 +13,10 @@ namespace gw::scene {
 struct GltfHolders {
     std::vector<std::size_t> objects, lights;  ///< in the scene's order
     std::optional<std::size_t> camera;
+    std::vector<GltfShaped> shaped;  ///< objects whose vertices move
 };
 
-/// None if no node is animated. The scene is counted from `origin`. Throws Error at the value's place.
+/// None if nothing is animated. The scene is counted from `origin`. Throws Error at the value's place.
 std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vector<GltfNode>& nodes,
                                    const GltfHolders& holders, const dvec3& origin);
 

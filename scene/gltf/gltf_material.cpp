@@ -60,19 +60,26 @@ void set_words(const Physical& p, Material& material) {
     material.Ke = encoded(p.emissive);
 }
 
+Map color_map(const Tint& tint, const std::string& file) {
+    return {
+        .origin = {file, 0}, .wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .texture = tint.texture};
+}
+
 class MaterialReader {
 public:
     MaterialReader(const GltfDocument& document, const JsonValue& json, const std::string& name)
         : document_(document), json_(json), name_(name) {}
 
-    GltfMaterial read(const vec4& tint) {
+    GltfMaterial read(const Tint& tint) {
         out_.material.name = name_;
         read_metallic_roughness();
         read_extensions();
         read_emission();
+        physical_.alpha *= double(tint.color.w);
         read_alpha();
         warn_left_out();
-        physical_.base *= dvec3(vec3(tint));
+        physical_.base *= dvec3(vec3(tint.color));
+        if (tint.texture) out_.material.map_Kd.push_back(color_map(tint, document_.file()));
         set_words(physical_, out_.material);
         out_.luminance = physical_.unlit ? physical_.base : physical_.emissive;
         if (physical_.unlit) std::swap(out_.material.map_Kd, out_.material.map_Ke);
@@ -178,19 +185,22 @@ private:
         list.push_back(std::move(map));
     }
 
-    /// u' = su u + ou, and v, which grows downwards, likewise.
-    void read_transform(const JsonValue& transform, Map& map) {
-        vec2 scale(1), offset(0);
+    /// A Map has no rotation: the mesh is turned, for all maps of the material.
+    void read_transform(const JsonValue& json, Map& map) {
+        TextureTransform transform;
         for (int k = 0; k < 2; ++k) {
-            if (const auto s = transform.find("scale"))
-                scale[k] = float((*s)[std::size_t(k)].number(placeable));
-            if (const auto o = transform.find("offset"))
-                offset[k] = float((*o)[std::size_t(k)].number(placeable));
+            if (const auto s = json.find("scale"))
+                transform.scale[k] = (*s)[std::size_t(k)].number(placeable);
+            if (const auto o = json.find("offset"))
+                transform.offset[k] = (*o)[std::size_t(k)].number(placeable);
         }
-        map.scale = scale;
-        map.offset = {offset.x, 1 - scale.y - offset.y};
-        if (number_of(transform.find("rotation"), 0, placeable) != 0)
-            warn("rotation", "the rotation of its texture is left out");
+        transform.rotation = number_of(json.find("rotation"), 0, placeable);
+        if (transform.rotation != 0 && !has_maps_) out_.turn = transform;
+        if (out_.turn && *out_.turn == transform) return;
+        if (out_.turn || transform.rotation != 0)
+            warn("rotation", "its textures are turned in several ways; all are drawn as the first");
+        map.scale = vec2(transform.scale);
+        map.offset = vec2(transform.offset.x, 1 - transform.scale.y - transform.offset.y);
     }
 
     void read_sampler(const JsonValue& sampler, Map& map) {
@@ -203,9 +213,8 @@ private:
             if (wrap == mirrored) warn("mirrored", "its texture repeats without being mirrored");
             return wrap == clamp ? Wrap::Clamp : Wrap::Repeat;
         };
-        map.wrap = wrap_of("wrapS");
-        if (wrap_of("wrapT") != map.wrap)
-            warn("wrapT", "its texture wraps in both directions as wrapS says");
+        map.wrap_s = wrap_of("wrapS");
+        map.wrap_t = wrap_of("wrapT");
         const auto filter = sampler.find("magFilter");
         if (filter && filter->whole(0, 0xFFFF) == 9728)
             warn("magFilter", "its texture is interpolated, not NEAREST");
@@ -261,17 +270,25 @@ Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) 
     return out;
 }
 
+vec2 TextureTransform::moved(const vec2& st) const {
+    const dvec2 scaled = dvec2(st.x, 1 - double(st.y)) * scale;
+    const double c = cos(rotation), s = sin(rotation);
+    const dvec2 uv = offset + dvec2(c * scaled.x + s * scaled.y, c * scaled.y - s * scaled.x);
+    return {float(uv.x), float(1 - uv.y)};
+}
+
 GltfMaterial read_gltf_material(const GltfDocument& document, const JsonValue& material,
-                                const std::string& name, const vec4& tint) {
+                                const std::string& name, const Tint& tint) {
     return MaterialReader(document, material, name).read(tint);
 }
 
-GltfMaterial default_gltf_material(const vec4& tint) {
+GltfMaterial default_gltf_material(const Tint& tint) {
     GltfMaterial out;
     out.material.name = "default";
     Physical physical;
-    physical.base = dvec3(vec3(tint));
+    physical.base = dvec3(vec3(tint.color));
     set_words(physical, out.material);
+    if (tint.texture) out.material.map_Kd = out.material.map_Ks = {color_map(tint, std::string())};
     return out;
 }
 

@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace gw::scene {
 namespace {
@@ -51,36 +51,10 @@ std::vector<std::uint32_t> read_indices(const GltfDocument& document, const Json
     return indices;
 }
 
-/// The corners of triangle i of a strip or a fan, in the orientation of the first.
-std::array<std::size_t, 3> corners_of(Primitive primitive, std::size_t i) {
-    if (primitive == Primitive::TriangleFan) return {0, i + 1, i + 2};
-    if (primitive == Primitive::TriangleStrip)
-        return i % 2 == 0 ? std::array{i, i + 1, i + 2} : std::array{i + 1, i, i + 2};
-    return {3 * i, 3 * i + 1, 3 * i + 2};
-}
-
-/// Separate triangles, each with its own normal.
-void make_flat(MeshData& mesh) {
-    MeshData flat;
-    const std::size_t corners = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
-    const std::size_t triangles = mesh.primitive == Primitive::Triangles ? corners / 3
-                                  : corners < 3                          ? 0
-                                                                         : corners - 2;
-    for (std::size_t i = 0; i < triangles; ++i) {
-        std::array<std::uint32_t, 3> at{};
-        const std::array<std::size_t, 3> places = corners_of(mesh.primitive, i);
-        for (std::size_t k = 0; k < 3; ++k)
-            at[k] = mesh.indices.empty() ? std::uint32_t(places[k]) : mesh.indices[places[k]];
-        const dvec3 a(mesh.positions[at[0]]);
-        const dvec3 n = cross3(dvec3(mesh.positions[at[1]]) - a, dvec3(mesh.positions[at[2]]) - a);
-        const vec3 normal = n == dvec3(0) ? vec3(0, 0, 1) : vec3(n / length(n));
-        for (const std::uint32_t vertex : at) {
-            flat.positions.push_back(mesh.positions[vertex]);
-            flat.normals.push_back(normal);
-            if (!mesh.texcoords.empty()) flat.texcoords.push_back(mesh.texcoords[vertex]);
-        }
-    }
-    mesh = std::move(flat);
+std::size_t set_count(const JsonValue& attributes, const std::string& name) {
+    std::size_t sets = 0;
+    while (attributes.find(name + std::to_string(sets))) ++sets;
+    return sets;
 }
 
 class PrimitiveReader {
@@ -97,38 +71,35 @@ public:
         const std::size_t mode = mode_value ? mode_value->whole(0, Fan) : Triangles;
         MeshData& mesh = out_.mesh;
         mesh.primitive = primitive_of(mode);
-        read_positions(mesh);
-        read_normals(mesh);
+        mesh.positions = read_vectors(attributes_.at("POSITION"), 0);
+        if (const auto normals = attributes_.find("NORMAL"))
+            mesh.normals = read_vectors(*normals, mesh.positions.size());
         read_texcoords(mesh, texcoord_set);
         read_colors();
-        warn_left_out();
+        read_targets();
+        read_influences();
         if (const auto indices = primitive_.find("indices"))
             mesh.indices = read_indices(document_, *indices, mesh.positions.size());
         trim(mesh, mode);
         if (mesh.positions.empty())
             warn("empty", "a primitive has too few corners and is left out");
-        if (mode >= Triangles && mesh.normals.empty()) make_flat(mesh);
         return std::move(out_);
     }
 
 private:
-    void read_positions(MeshData& mesh) {
-        const Elements<float> p = read_floats(document_, attributes_.at("POSITION"), {"VEC3"});
-        for (std::size_t i = 0; i < p.count(); ++i) {
-            mesh.positions.push_back(vec3_at(p, i));
+    /// `count` vectors, or any number if it is 0.
+    std::vector<vec3> read_vectors(const JsonValue& value, std::size_t count) {
+        const Elements<float> read = read_floats(document_, value, {"VEC3"});
+        if (count != 0) expect_count(value, read.count(), count);
+        std::vector<vec3> vectors;
+        for (std::size_t i = 0; i < read.count(); ++i) {
+            vectors.push_back(vec3_at(read, i));
             for (int k = 0; k < 3; ++k)
-                if (!placeable.contains(mesh.positions.back()[k]))
-                    attributes_.at("POSITION")
-                        .fail("is beyond 1e18 at element " + std::to_string(i) + "; expected less");
+                if (!placeable.contains(double(vectors.back()[k])))
+                    value.fail("is beyond 1e18 at element " + std::to_string(i) +
+                               "; expected less");
         }
-    }
-
-    void read_normals(MeshData& mesh) {
-        const auto value = attributes_.find("NORMAL");
-        if (!value) return;
-        const Elements<float> n = read_floats(document_, *value, {"VEC3"});
-        expect_count(*value, n.count(), mesh.positions.size());
-        for (std::size_t i = 0; i < n.count(); ++i) mesh.normals.push_back(vec3_at(n, i));
+        return vectors;
     }
 
     void read_texcoords(MeshData& mesh, std::size_t set) {
@@ -146,17 +117,64 @@ private:
         const Elements<float> c = read_floats(document_, *value, {"VEC3", "VEC4"});
         expect_count(*value, c.count(), out_.mesh.positions.size());
         glm::dvec4 sum(0);
+        bool vary = false;
         for (std::size_t i = 0; i < c.count(); ++i) {
             sum += glm::dvec4(c[i][0], c[i][1], c[i][2], c.components == 4 ? c[i][3] : 1);
-            out_.colors_vary |= !std::equal(c[i], c[i] + c.components, c[0]);
+            vary |= !std::equal(c[i], c[i] + c.components, c[0]);
         }
         out_.mean_color = vec4(glm::clamp(sum / double(c.count()), 0.0, 1.0));
-        if (out_.colors_vary) warn("COLOR_0", "vertex colours are drawn as their mean");
+        for (std::size_t i = 0; vary && i < c.count(); ++i)
+            out_.colors.emplace_back(c[i][0], c[i][1], c[i][2], 1);
     }
 
-    void warn_left_out() const {
-        if (primitive_.find("targets"))
-            warn("targets", "morph targets are left out; it is drawn in its first shape");
+    void read_targets() {
+        const auto targets = primitive_.find("targets");
+        const std::size_t vertices = out_.mesh.positions.size();
+        for (std::size_t i = 0; targets && i < targets->size(); ++i) {
+            const JsonValue json = (*targets)[i];
+            MorphTarget target;
+            for (const std::string& key : json.keys()) {
+                if (key == "POSITION") target.positions = read_vectors(json.at(key), vertices);
+                if (key == "NORMAL") target.normals = read_vectors(json.at(key), vertices);
+                if (key != "POSITION" && key != "NORMAL" && key != "TANGENT")
+                    warn("target " + key, "its morph targets do not change " + printable(key));
+            }
+            out_.targets.push_back(std::move(target));
+        }
+    }
+
+    void read_influences() {
+        const std::size_t sets = set_count(attributes_, "JOINTS_"),
+                          vertices = out_.mesh.positions.size();
+        out_.influences = 4 * sets;
+        out_.influenced.resize(vertices * out_.influences);
+        for (std::size_t set = 0; set < sets; ++set) {
+            const JsonValue joints_value = attributes_.at("JOINTS_" + std::to_string(set)),
+                            weights_value = attributes_.at("WEIGHTS_" + std::to_string(set));
+            const Elements<std::uint32_t> joints = read_integers(document_, joints_value, "VEC4");
+            const Elements<float> weights = read_floats(document_, weights_value, {"VEC4"});
+            expect_count(joints_value, joints.count(), vertices);
+            expect_count(weights_value, weights.count(), vertices);
+            for (std::size_t i = 0; i < vertices; ++i)
+                for (std::size_t k = 0; k < 4; ++k) {
+                    if (weights[i][k] < 0 || weights[i][k] > 1e6f)
+                        weights_value.fail("has a weight below 0 or beyond 1e6 at element " +
+                                           std::to_string(i) + "; expected 0 to 1");
+                    out_.influenced[i * out_.influences + 4 * set + k] = {joints[i][k],
+                                                                          weights[i][k]};
+                    out_.joints = std::max(out_.joints, std::size_t{joints[i][k]} + 1);
+                }
+        }
+        for (std::size_t i = 0; i < vertices; ++i)
+            normalize({out_.influenced.data() + i * out_.influences, out_.influences});
+    }
+
+    /// A vertex without weights belongs to its first joint.
+    static void normalize(std::span<Influence> influences) {
+        double sum = 0;
+        for (const Influence& by : influences) sum += double(by.weight);
+        for (Influence& by : influences) by.weight = sum > 0 ? float(double(by.weight) / sum) : 0;
+        if (sum == 0 && !influences.empty()) influences.front().weight = 1;
     }
 
     /// Corners that make no whole piece are not drawn [GLTF2 3.7.2.1]; a loop is closed.
@@ -188,6 +206,19 @@ private:
 GltfMesh read_primitive(const GltfDocument& document, const JsonValue& primitive,
                         std::size_t texcoord_set, const std::string& name) {
     return PrimitiveReader(document, primitive, name).read(texcoord_set);
+}
+
+std::size_t numbers_of_primitive(const GltfDocument& document, const JsonValue& primitive) {
+    std::size_t numbers = 0;
+    const auto add = [&](const JsonValue& attributes) {
+        for (const std::string& key : attributes.keys())
+            numbers += count_of(document, attributes.at(key));
+    };
+    add(primitive.at("attributes"));
+    if (const auto targets = primitive.find("targets"))
+        for (std::size_t i = 0; i < targets->size(); ++i) add((*targets)[i]);
+    if (const auto indices = primitive.find("indices")) numbers += count_of(document, *indices);
+    return numbers;
 }
 
 }  // namespace gw::scene

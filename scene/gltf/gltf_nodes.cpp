@@ -1,6 +1,7 @@
 #include "scene/gltf/gltf_nodes.h"
 
 #include "scene/geometry/transform.h"
+#include "scene/gltf/accessors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,7 @@ std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
     };
     wait(roots_of(document), GltfNode::no_parent);
     while (!waiting.empty()) {
-        GltfNode node = waiting.back();
+        GltfNode& node = placed.emplace_back(std::move(waiting.back()));
         waiting.pop_back();
         const JsonValue json = document.root().at("nodes")[node.index];
         if (is_placed[node.index])
@@ -115,9 +116,8 @@ std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
             std::vector<std::size_t> indices;
             for (std::size_t k = 0; k < children->size(); ++k)
                 indices.push_back((*children)[k].whole(0, is_placed.size() - 1));
-            wait(indices, placed.size());
+            wait(indices, placed.size() - 1);
         }
-        placed.push_back(node);
     }
     place_in_world(placed);
     for (const GltfNode& node : placed)
@@ -126,6 +126,35 @@ std::vector<GltfNode> placed_nodes(const GltfDocument& document) {
                 document.root().at("nodes")[node.index].fail(
                     "lies beyond 1e18, its parents included; expected less");
     return placed;
+}
+
+std::vector<std::size_t> places_of(const GltfDocument& document,
+                                   const std::vector<GltfNode>& nodes) {
+    std::vector<std::size_t> places(document.count("nodes"), GltfNode::no_parent);
+    for (std::size_t i = 0; i < nodes.size(); ++i) places[nodes[i].index] = i;
+    return places;
+}
+
+GltfSkin read_gltf_skin(const GltfDocument& document, const JsonValue& index,
+                        const std::vector<std::size_t>& places) {
+    const JsonValue json = document.element("skins", index), joints = json.at("joints");
+    GltfSkin skin;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        skin.joints.push_back(places[joints[i].whole(0, places.size() - 1)]);
+        if (skin.joints.back() == GltfNode::no_parent)
+            joints[i].fail("is not in the scene; expected a node of it");
+    }
+    skin.joint_from_rest.resize(joints.size(), dmat4(1));
+    const auto matrices = json.find("inverseBindMatrices");
+    if (!matrices) return skin;
+    const Elements<float> read = read_floats(document, *matrices, {"MAT4"});
+    if (read.count() < joints.size())
+        matrices->fail("has " + std::to_string(read.count()) + " elements; expected " +
+                       std::to_string(joints.size()) + ", one for each joint");
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        for (int k = 0; k < 12; ++k)  // columns; the last row is 0, 0, 0, 1
+            skin.joint_from_rest[i][k / 3][k % 3] = double(read[i][k / 3 * 4 + k % 3]);
+    return skin;
 }
 
 }  // namespace gw::scene

@@ -1,5 +1,5 @@
-// The nodes of a glTF scene [GLTF2 3.5], each with its place in the world. Does not read what they
-// hold.
+// The nodes of a glTF scene [GLTF2 3.5], each with its place in the world, and the skins whose joints
+// are nodes [GLTF2 3.7.3]. Does not read what else they hold.
 #pragma once
 
 #include "scene/gltf/gltf_document.h"
@@ -31,6 +31,20 @@ struct GltfNode {
 /// The nodes of the default scene, a parent before its children, in their order. Throws Error for
 /// circles and for nodes with two parents.
 std::vector<GltfNode> placed_nodes(const GltfDocument& document);
+
+/// The place in the list of placed_nodes of each of the file's nodes; GltfNode::no_parent: it is not in
+/// the scene.
+std::vector<std::size_t> places_of(const GltfDocument& document,
+                                   const std::vector<GltfNode>& nodes);
+
+struct GltfSkin {
+    std::vector<std::size_t> joints;     ///< into the list of placed_nodes
+    std::vector<dmat4> joint_from_rest;  ///< of each joint
+};
+
+/// The skin that a node names. Throws Error if a joint is not in the scene.
+GltfSkin read_gltf_skin(const GltfDocument& document, const JsonValue& index,
+                        const std::vector<std::size_t>& places);
 
 /// Gives all nodes their places in the world by their places in their parents.
 void place_in_world(std::vector<GltfNode>& nodes);

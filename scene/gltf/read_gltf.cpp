@@ -4,12 +4,12 @@
 #include "gw/error.h"
 #include "scene/draw/fit.h"
 #include "scene/geometry/far.h"
-#include "scene/gltf/accessors.h"
+#include "scene/geometry/transform.h"
 #include "scene/gltf/gltf_camera.h"
 #include "scene/gltf/gltf_film.h"
 #include "scene/gltf/gltf_material.h"
 #include "scene/gltf/gltf_mesh.h"
-#include "scene/gltf/gltf_nodes.h"
+#include "scene/gltf/gltf_shape.h"
 #include "scene/scene_builder.h"
 #include "scene/text/suggest.h"
 #include "scene/validate/rules.h"
@@ -60,8 +60,9 @@ public:
     GltfFile read() {
         check_extensions(document_);
         builder_.scene.name = document_.path().stem().string();
-        const std::vector<GltfNode> nodes = placed_nodes(document_);
-        for (place_ = 0; place_ < nodes.size(); ++place_) add_node(nodes[place_]);
+        nodes_ = placed_nodes(document_);
+        places_ = places_of(document_, nodes_);
+        for (place_ = 0; place_ < nodes_.size(); ++place_) add_node(nodes_[place_]);
         Scene& scene = builder_.scene;
         if (scene.objects.empty())
             throw Error(document_.file(), 0,
@@ -69,7 +70,7 @@ public:
         add_lights();
         warn_invisible(scene, document_.file(), document_.warnings());
         const dvec3 origin = place();
-        std::optional<Film> film = read_gltf_film(document_, nodes, holders_, origin);
+        std::optional<Film> film = read_gltf_film(document_, nodes_, holders_, origin);
         return {std::move(scene), origin, std::move(film)};
     }
 
@@ -78,6 +79,7 @@ private:
     struct Part {
         MeshRef mesh;  ///< null: nothing to draw
         std::size_t material = 0;
+        std::shared_ptr<const GltfMesh> shape;  ///< null: its vertices do not move
     };
 
     void add_node(const GltfNode& node) {
@@ -92,31 +94,73 @@ private:
     void add_mesh(const GltfNode& node, const JsonValue& json, const JsonValue& index) {
         const JsonValue mesh = document_.element("meshes", index);
         const std::string name = json.find("name") ? name_of(json) : name_of(mesh);
-        if (json.find("skin"))
-            document_.warn("skin", "object '" + printable(name) +
-                                       "': its skin is left out; it is drawn as it was modelled");
-        const auto fault = fault_of(node.world_from_node);
-        if (fault)
-            return document_.warn("singular", "object '" + printable(name) +
-                                                  "' is left out: its "
-                                                  "matrix is " +
-                                                  fault->is);
         const auto parts = parts_.find(mesh.place());
         const std::vector<Part>& found =
             parts != parts_.end()
                 ? parts->second
                 : parts_.emplace(mesh.place(), read_parts(mesh, name)).first->second;
-        for (const Part& part : found) {
-            if (!part.mesh) continue;
-            if (builder_.scene.objects.size() == most_gltf_objects)
-                json.fail("is one more than " + std::to_string(most_gltf_objects) +
-                          " objects; expected fewer");
-            holders_.objects.push_back(place_);
-            builder_.scene.objects.push_back({.name = name,
-                                              .mesh = part.mesh,
-                                              .material = part.material,
-                                              .world_from_object = node.world_from_node});
+        std::shared_ptr<const GltfSkin> skin;
+        if (const auto skin_index = json.find("skin"))
+            skin =
+                std::make_shared<const GltfSkin>(read_gltf_skin(document_, *skin_index, places_));
+        const std::vector<double> weights = weights_of(json, mesh);
+        for (const Part& part : found)
+            if (part.mesh) add_part(node, json, name, part, skin, weights);
+    }
+
+    static std::vector<double> weights_of(const JsonValue& node, const JsonValue& mesh) {
+        const auto own = node.find("weights"), meshes = mesh.find("weights");
+        std::vector<double> weights;
+        if (const auto& list = own ? own : meshes)
+            for (std::size_t i = 0; i < list->size(); ++i)
+                weights.push_back((*list)[i].number({-1e6, 1e6}));
+        return weights;
+    }
+
+    void add_part(const GltfNode& node, const JsonValue& json, const std::string& name,
+                  const Part& part, std::shared_ptr<const GltfSkin> skin,
+                  const std::vector<double>& weights) {
+        Scene& scene = builder_.scene;
+        Object object{.name = name,
+                      .mesh = part.mesh,
+                      .material = part.material,
+                      .world_from_object = node.world_from_node};
+        if (part.shape && part.shape->influences == 0) skin = nullptr;
+        GltfShaped shaped{scene.objects.size(), place_, part.shape, skin, weights};
+        if (part.shape) {
+            if (skin) {
+                check_joints(json, part, *skin);
+                shaped.base = dvec3(nodes_[skin->joints.front()].world_from_node[3]);
+                object.world_from_object = translation(shaped.base);
+            }
+            object.mesh = shaped_mesh(json, shaped, part);
         }
+        if (const auto fault = fault_of(object.world_from_object))
+            return document_.warn("singular", "object '" + printable(name) +
+                                                  "' is left out: its matrix is " + fault->is);
+        if (scene.objects.size() == most_gltf_objects)
+            json.fail("is one more than " + std::to_string(most_gltf_objects) +
+                      " objects; expected fewer");
+        if (part.shape) holders_.shaped.push_back(std::move(shaped));
+        holders_.objects.push_back(place_);
+        scene.objects.push_back(std::move(object));
+    }
+
+    void check_joints(const JsonValue& node, const Part& part, const GltfSkin& skin) const {
+        if (part.shape->joints > skin.joints.size())
+            node.at("skin").fail("has " + std::to_string(skin.joints.size()) +
+                                 " joints; expected at least " +
+                                 std::to_string(part.shape->joints) + ", which the mesh names");
+    }
+
+    /// Objects of one mesh share it while nothing moves its vertices.
+    MeshRef shaped_mesh(const JsonValue& node, const GltfShaped& shaped, const Part& part) {
+        const auto is_0 = [](double weight) { return weight == 0; };
+        if (!shaped.skin && std::ranges::all_of(shaped.weights, is_0)) return part.mesh;
+        count_numbers(node, part.mesh->vertex_count());
+        std::optional<MeshData> mesh = posed(shaped, nodes_, part.mesh->data().polygon_ids);
+        if (!mesh) node.fail("has a vertex beyond 1e18, its skin included; expected less");
+        return make_mesh(*std::move(mesh));
     }
 
     std::vector<Part> read_parts(const JsonValue& mesh, const std::string& name) {
@@ -128,35 +172,50 @@ private:
     }
 
     Part read_part(const JsonValue& primitive, const std::string& name) {
-        count_numbers(primitive);
+        count_numbers(primitive, numbers_of_primitive(document_, primitive));
         const auto material = primitive.find("material");
-        const std::size_t set = material ? material_of(*material, std::nullopt).texcoord_set : 0;
+        const GltfMaterial& plain = material_of(material, std::nullopt);
+        const std::size_t set = plain.texcoord_set;
         GltfMesh read = read_primitive(document_, primitive, set, name);
         if (read.mesh.positions.empty()) return {};
-        const GltfMaterial& painted = material_of(material, read.mean_color);
-        const bool has_map = hardware_map_of(painted.material);
+        const bool has_map = has_maps(plain.material);
         if (has_map && read.mesh.texcoords.empty())
             document_.warn("no texcoords", "object '" + printable(name) +
                                                "' has no texture coordinates of set " +
                                                std::to_string(set) + " for its texture");
+        if (plain.turn)
+            for (vec2& st : read.mesh.texcoords) st = plain.turn->moved(st);
+        const GltfMaterial& painted = painted_material(primitive, material, has_map, read, name);
         const std::size_t index = builder_.index_of(painted.material);
         if (painted.luminance != dvec3(0)) luminances_[index] = painted.luminance;
-        return {builder_.numbered(std::move(read.mesh), {document_.file(), 0}), index};
+        Part part{builder_.numbered(drawn(read, read.mesh), {document_.file(), 0}), index, nullptr};
+        if (!read.targets.empty() || read.influences > 0)
+            part.shape = std::make_shared<const GltfMesh>(std::move(read));
+        return part;
     }
 
-    static bool hardware_map_of(const Material& m) {
-        return !m.map_Kd.empty() || !m.map_Ke.empty();
+    static bool has_maps(const Material& m) { return !m.map_Kd.empty() || !m.map_Ke.empty(); }
+
+    const GltfMaterial& painted_material(const JsonValue& primitive,
+                                         const std::optional<JsonValue>& material, bool has_map,
+                                         GltfMesh& mesh, const std::string& name) {
+        mesh.is_patched = !has_map && has_color_texture(mesh);
+        if (!mesh.is_patched) {
+            if (!mesh.colors.empty())
+                document_.warn("COLOR_0", "object '" + printable(name) +
+                                              "': vertex colours are drawn as their mean");
+            return material_of(material, mesh.mean_color);
+        }
+        count_numbers(primitive, color_texels(mesh));
+        return add_material(material, {vec4(vec3(1), mesh.mean_color->w), color_texture(mesh)});
     }
 
     /// Accessors may overlap, so a short file could ask for any amount of memory.
-    void count_numbers(const JsonValue& primitive) {
-        for (const std::string& key : primitive.at("attributes").keys())
-            numbers_ += count_of(document_, primitive.at("attributes").at(key));
-        if (const auto indices = primitive.find("indices"))
-            numbers_ += count_of(document_, *indices);
+    void count_numbers(const JsonValue& owner, std::size_t numbers) {
+        numbers_ += numbers;
         if (numbers_ > most_gltf_numbers)
-            primitive.fail("and those before it have more than " +
-                           std::to_string(most_gltf_numbers) + " elements; expected fewer");
+            owner.fail("and those before it have more than " + std::to_string(most_gltf_numbers) +
+                       " elements; expected fewer");
     }
 
     /// Materials that a vertex colour tints are materials of their own.
@@ -164,16 +223,20 @@ private:
                                     const std::optional<vec4>& tint) {
         const vec4 color = tint.value_or(vec4(1));
         const std::string place = index ? document_.element("materials", *index).place() : "";
-        const auto key = std::pair(place, std::array{color.x, color.y, color.z});
+        const auto key = std::pair(place, std::array{color.x, color.y, color.z, color.w});
         const auto found = materials_.find(key);
         if (found != materials_.end()) return *found->second;
+        return *materials_.emplace(key, &add_material(index, {color, nullptr})).first->second;
+    }
+
+    const GltfMaterial& add_material(const std::optional<JsonValue>& index, const Tint& tint) {
         if (index) {
             const JsonValue json = document_.element("materials", *index);
-            list_.push_back(read_gltf_material(document_, json, name_of(json), color));
+            list_.push_back(read_gltf_material(document_, json, name_of(json), tint));
         } else {
-            list_.push_back(default_gltf_material(color));
+            list_.push_back(default_gltf_material(tint));
         }
-        return *materials_.emplace(key, &list_.back()).first->second;
+        return list_.back();
     }
 
     void add_camera(const GltfNode& node, const JsonValue& index) {
@@ -230,7 +293,9 @@ private:
     SceneBuilder builder_;
     std::map<std::string, std::vector<Part>> parts_;
     std::list<GltfMaterial> list_;
-    std::map<std::pair<std::string, std::array<float, 3>>, const GltfMaterial*> materials_;
+    std::map<std::pair<std::string, std::array<float, 4>>, const GltfMaterial*> materials_;
+    std::vector<GltfNode> nodes_;
+    std::vector<std::size_t> places_;  ///< in nodes_, of the file's nodes
     std::vector<GltfLight> lights_;
     std::map<std::size_t, dvec3> luminances_;  ///< of materials that emit
     std::size_t numbers_ = 0;

@@ -89,7 +89,7 @@ private:
         const std::string_view argument = word();
         if (argument != "on" && argument != "off") fail(option, argument, "on or off");
         if (option.name == "-clamp")
-            result_.map.wrap = argument == "on" ? Wrap::Clamp : Wrap::Repeat;
+            result_.map.wrap_s = result_.map.wrap_t = argument == "on" ? Wrap::Clamp : Wrap::Repeat;
     }
 
     void type(const Option& option) {

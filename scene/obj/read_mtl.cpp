@@ -219,7 +219,7 @@ private:
                      " is not supported; expected refl -type sphere");
         const Map& map = statement.map;
         const auto same = [&](const Map& m) {
-            return m.file == map.file && m.wrap == map.wrap && m.offset == map.offset &&
+            return m.file == map.file && m.wrap_s == map.wrap_s && m.offset == map.offset &&
                    m.scale == map.scale;
         };
         if (std::ranges::any_of(list, same))

@@ -57,7 +57,10 @@ void read_scale(const TomlValue& value, vec2& scale) {
 
 // {scene = true, size = 256}: generated from the scene [K3.1].
 Map to_scene_map(const TomlValue& value) {
-    Map map{.origin = {*value.file, value.line}, .wrap = Wrap::Clamp, .from_scene = 128};
+    Map map{.origin = {*value.file, value.line},
+            .wrap_s = Wrap::Clamp,
+            .wrap_t = Wrap::Clamp,
+            .from_scene = 128};
     bool scene = true;
     read_table(value, {key("scene", scene), key("size", map.from_scene, {8, 1024})});
     if (!scene) value.fail(value.name + ".scene is false; expected true, or file instead");
@@ -81,7 +84,7 @@ Map to_file_map(const TomlValue& value) {
         value.fail_expected("a file name, a table with one, or an array of these");
     if (file.empty()) value.fail(value.name + " names no file; expected a texture's file name");
     map.file = find_file(std::filesystem::path(*value.file).parent_path(), file);
-    map.wrap = clamp ? Wrap::Clamp : Wrap::Repeat;
+    map.wrap_s = map.wrap_t = clamp ? Wrap::Clamp : Wrap::Repeat;
     map.origin = {*value.file, value.line};
     return map;
 }

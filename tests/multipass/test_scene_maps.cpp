@@ -30,7 +30,7 @@ void add_wall(scene::Scene& s, const char* name, const dvec3& at, const vec3& Ke
 scene::Scene in_a_cube(int texels) {
     scene::Scene s;
     add_square(s, "mirror", {.Ka = vec3(0), .Kd = vec3(0), .Ks = vec3(1)});
-    s.materials[0].refl = {{.wrap = Wrap::Clamp, .from_scene = texels}};
+    s.materials[0].refl = {{.wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .from_scene = texels}};
     add_wall(s, "right", {4, 0, 0}, {1, 0, 0});
     add_wall(s, "left", {-4, 0, 0}, {0, 1, 0});
     add_wall(s, "above", {0, 4, 0}, {0, 0, 1});
@@ -164,7 +164,7 @@ TEST(SceneMap, OfARefractingBodyShowsWhatIsBehindIt) {
     // beside the middle: rays to its corners then lie together at the map's rim.
     scene::Scene s = in_a_cube(64);
     s.materials[0] = {.Ka = vec3(0), .Kd = vec3(0), .Ni = 1, .Tf = vec3(1)};
-    s.materials[0].refraction = {{.wrap = Wrap::Clamp, .from_scene = 64}};
+    s.materials[0].refraction = {{.wrap_s = Wrap::Clamp, .wrap_t = Wrap::Clamp, .from_scene = 64}};
     dmat4& m = s.objects[0].world_from_object;
     m[0] = dvec4(0.1, 0, 0, 0);
     m[1] = dvec4(0, 0.1, 0, 0);

@@ -56,7 +56,7 @@ TEST(WriteGltf, TheReaderFindsTrianglesPicturesAndCamera) {
         ASSERT_EQ(material.map_Ke.size(), 1u);
         EXPECT_EQ(std::filesystem::path(material.map_Ke[0].file).filename(),
                   written.pictures[i].file);
-        EXPECT_EQ(material.map_Ke[0].wrap, Wrap::Clamp);
+        EXPECT_EQ(material.map_Ke[0].wrap_t, Wrap::Clamp);
         EXPECT_EQ(material.Ke, vec3(1));
         EXPECT_EQ(material.Kd, vec3(0));
     }

@@ -49,7 +49,7 @@ TEST_F(MapOptions, AreHonoured) {
     const MapStatement statement = read("-o 0.5 -s 2 4 -clamp on -type sphere a.png");
     EXPECT_EQ(statement.map.offset, vec2(0.5f, 0));
     EXPECT_EQ(statement.map.scale, vec2(2, 4));
-    EXPECT_EQ(statement.map.wrap, Wrap::Clamp);
+    EXPECT_EQ(statement.map.wrap_t, Wrap::Clamp);
     EXPECT_EQ(statement.type, "sphere");
     EXPECT_EQ(read("-s 3 a.png").map.scale, vec2(3, 1));
     EXPECT_TRUE(list.lines().empty());

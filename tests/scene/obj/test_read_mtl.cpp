@@ -116,9 +116,9 @@ TEST_F(Mtl, ReadsMapsWithTheirOrigin) {
     EXPECT_EQ(m.map_Ka[0].scale, vec2(2, 3));
     EXPECT_EQ(m.map_Ka[0].origin.line, 2);
     EXPECT_EQ(folder.relative(m.map_Ka[0].origin.file), "m.mtl");
-    EXPECT_EQ(m.map_Kd.at(0).wrap, Wrap::Repeat);
+    EXPECT_EQ(m.map_Kd.at(0).wrap_t, Wrap::Repeat);
     EXPECT_EQ(m.map_Ks.size() + m.map_Ke.size(), 2u);
-    EXPECT_EQ(m.refl.at(0).wrap, Wrap::Clamp);
+    EXPECT_EQ(m.refl.at(0).wrap_t, Wrap::Clamp);
     EXPECT_EQ(m.refl[0].origin.line, 6);
     EXPECT_EQ(m.refl[0].texture, nullptr);
 }

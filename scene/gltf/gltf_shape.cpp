@@ -1,0 +1,181 @@
+#include "scene/gltf/gltf_shape.h"
+
+#include "gw/base/arithmetic.h"
+#include "scene/geometry/transform.h"
+#include "scene/gltf/gltf_material.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+/// The corners of triangle i of a strip or a fan, in the orientation of the first.
+std::array<std::size_t, 3> corners_of(Primitive primitive, std::size_t i) {
+    if (primitive == Primitive::TriangleFan) return {0, i + 1, i + 2};
+    if (primitive == Primitive::TriangleStrip)
+        return i % 2 == 0 ? std::array{i, i + 1, i + 2} : std::array{i + 1, i, i + 2};
+    return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+std::array<std::uint32_t, 3> triangle_of(const MeshData& mesh, std::size_t i) {
+    std::array<std::uint32_t, 3> at{};
+    const std::array<std::size_t, 3> places = corners_of(mesh.primitive, i);
+    for (std::size_t k = 0; k < 3; ++k)
+        at[k] = mesh.indices.empty() ? std::uint32_t(places[k]) : mesh.indices[places[k]];
+    return at;
+}
+
+constexpr std::size_t most_patches = std::size_t{1} << 18;
+
+/// Squares of texels, side by side, one for each triangle. The corners of a triangle are the middles of
+/// three corner texels, so a bilinear filter reads no other patch.
+struct Patches {
+    std::size_t side, columns, rows;
+
+    explicit Patches(std::size_t triangles) : side(triangles <= 1024 ? 8 : 4), columns(1), rows(1) {
+        while (columns * columns < triangles) columns *= 2;
+        while (columns * rows < triangles) rows *= 2;
+    }
+    std::size_t width() const { return columns * side; }
+    std::size_t height() const { return rows * side; }
+    /// Of corner 0, 1 or 2.
+    vec2 st(std::size_t triangle, std::size_t corner) const {
+        const double last = double(side) - 1;
+        const double s = double(triangle % columns * side) + 0.5 + (corner == 1 ? last : 0);
+        const double t = double(triangle / columns * side) + 0.5 + (corner == 2 ? last : 0);
+        return {float(s / double(width())), float(t / double(height()))};
+    }
+};
+
+/// The matrix of normals, on the side where the surface's is.
+dmat3 normals_from(const dmat3& m) {
+    const dmat3 cofactors(cross3(m[1], m[2]), cross3(m[2], m[0]), cross3(m[0], m[1]));
+    return dot3(m[0], cofactors[0]) < 0 ? -cofactors : cofactors;
+}
+
+}  // namespace
+
+std::size_t triangle_count(const MeshData& mesh) {
+    const std::size_t corners = mesh.indices.empty() ? mesh.positions.size() : mesh.indices.size();
+    switch (mesh.primitive) {
+        case Primitive::Triangles: return corners / 3;
+        case Primitive::TriangleStrip:
+        case Primitive::TriangleFan: return corners < 3 ? 0 : corners - 2;
+        case Primitive::Points:
+        case Primitive::Lines:
+        case Primitive::LineStrip:
+        case Primitive::Quads:
+        case Primitive::Polygons: break;
+    }
+    return 0;
+}
+
+bool has_color_texture(const GltfMesh& mesh) {
+    const std::size_t triangles = triangle_count(mesh.mesh);
+    return !mesh.colors.empty() && triangles > 0 && triangles <= most_patches;
+}
+
+std::size_t color_texels(const GltfMesh& mesh) {
+    const Patches patches(triangle_count(mesh.mesh));
+    return patches.width() * patches.height();
+}
+
+// Colours beyond the third side go on in the triangle's plane, so that its texels are interpolated to
+// its own colours.
+TextureRef color_texture(const GltfMesh& mesh) {
+    const std::size_t triangles = triangle_count(mesh.mesh);
+    const Patches patches(triangles);
+    std::vector<std::uint16_t> rgba(4 * patches.width() * patches.height(), 0xFFFF);
+    const double last = double(patches.side) - 1;
+    for (std::size_t i = 0; i < triangles; ++i) {
+        const std::array<std::uint32_t, 3> at = triangle_of(mesh.mesh, i);
+        const dvec3 a(vec3(mesh.colors[at[0]])), u = dvec3(vec3(mesh.colors[at[1]])) - a,
+                                                 v = dvec3(vec3(mesh.colors[at[2]])) - a;
+        const std::size_t column = i % patches.columns * patches.side,
+                          row = i / patches.columns * patches.side;
+        for (std::size_t y = 0; y < patches.side; ++y)
+            for (std::size_t x = 0; x < patches.side; ++x) {
+                const dvec3 color = a + u * (double(x) / last) + v * (double(y) / last);
+                const vec3 shown = encoded(glm::clamp(color, dvec3(0), dvec3(1)));
+                std::uint16_t* const texel = &rgba[4 * ((row + y) * patches.width() + column + x)];
+                for (int k = 0; k < 3; ++k)
+                    texel[k] = std::uint16_t(quantize(double(shown[k]), 16));
+            }
+    }
+    return make_texture("vertex colours", int(patches.width()), int(patches.height()), rgba);
+}
+
+std::optional<MeshData> moved(const GltfMesh& mesh, std::span<const double> weights,
+                              std::span<const dmat4> object_from_rest) {
+    MeshData out = mesh.mesh;
+    const std::size_t targets = std::min(weights.size(), mesh.targets.size());
+    const bool has_normals = !out.normals.empty();
+    for (std::size_t i = 0; i < out.positions.size(); ++i) {
+        dvec3 p(out.positions[i]), n = has_normals ? dvec3(out.normals[i]) : dvec3(0);
+        for (std::size_t t = 0; t < targets; ++t) {
+            const MorphTarget& target = mesh.targets[t];
+            if (!target.positions.empty()) p += weights[t] * dvec3(target.positions[i]);
+            if (has_normals && !target.normals.empty()) n += weights[t] * dvec3(target.normals[i]);
+        }
+        if (!object_from_rest.empty() && mesh.influences > 0) {
+            dmat4 m(0);
+            for (std::size_t k = 0; k < mesh.influences; ++k) {
+                const Influence& by = mesh.influenced[i * mesh.influences + k];
+                m += object_from_rest[by.joint] * double(by.weight);
+            }
+            p = transform3(dmat3(m), p) + dvec3(m[3]);
+            n = transform3(normals_from(dmat3(m)), n);
+        }
+        for (int k = 0; k < 3; ++k)
+            if (!placeable.contains(p[k])) return std::nullopt;
+        out.positions[i] = vec3(p);
+        if (!has_normals) continue;
+        const double size = length(n);
+        out.normals[i] = size > 0 && std::isfinite(size) ? vec3(n / size) : vec3(0, 0, 1);
+    }
+    return out;
+}
+
+MeshData drawn(const GltfMesh& mesh, MeshData moved) {
+    const std::size_t triangles = triangle_count(moved);
+    const bool is_flat = moved.normals.empty();
+    if (triangles == 0 || (!is_flat && !mesh.is_patched)) return moved;
+    const Patches patches(triangles);
+    MeshData out;
+    for (std::size_t i = 0; i < triangles; ++i) {
+        const std::array<std::uint32_t, 3> at = triangle_of(moved, i);
+        const dvec3 a(moved.positions[at[0]]);
+        const dvec3 n =
+            cross3(dvec3(moved.positions[at[1]]) - a, dvec3(moved.positions[at[2]]) - a);
+        const vec3 normal = n == dvec3(0) ? vec3(0, 0, 1) : vec3(n / length(n));
+        for (std::size_t k = 0; k < 3; ++k) {
+            out.positions.push_back(moved.positions[at[k]]);
+            out.normals.push_back(is_flat ? normal : moved.normals[at[k]]);
+            if (mesh.is_patched)
+                out.texcoords.push_back(patches.st(i, k));
+            else if (!moved.texcoords.empty())
+                out.texcoords.push_back(moved.texcoords[at[k]]);
+        }
+    }
+    return out;
+}
+
+std::optional<MeshData> posed(const GltfShaped& shaped, const std::vector<GltfNode>& nodes,
+                              const std::vector<std::uint32_t>& polygon_ids) {
+    std::vector<dmat4> object_from_rest;
+    if (shaped.skin)
+        for (std::size_t j = 0; j < shaped.skin->joints.size(); ++j)
+            object_from_rest.push_back(
+                translation(-shaped.base) *
+                (nodes[shaped.skin->joints[j]].world_from_node * shaped.skin->joint_from_rest[j]));
+    std::optional<MeshData> mesh = moved(*shaped.mesh, shaped.weights, object_from_rest);
+    if (!mesh) return std::nullopt;
+    *mesh = drawn(*shaped.mesh, *std::move(mesh));
+    mesh->polygon_ids = polygon_ids;
+    return mesh;
+}
+
+}  // namespace gw::scene
