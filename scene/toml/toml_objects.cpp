@@ -4,6 +4,7 @@
 #include "scene/geometry/divide.h"
 #include "scene/geometry/transform.h"
 #include "scene/text/number.h"
+#include "scene/text/statements.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/luminous/toml_luminous.h"
@@ -74,8 +75,29 @@ PixmapChoice to_pixmap(const TomlValue& table) {
 }  // namespace
 
 TomlObjects::SourceFile::SourceFile(ObjFile read)
-    : file(std::move(read)), materials(file.materials, file.missing_library) {
-    for (const ObjPart& part : file.parts) parts.insert(part.name);
+    : file(std::move(read.file)),
+      origin(read.origin),
+      list(std::move(read.materials)),
+      materials(list, std::move(read.missing_library)) {
+    for (ObjPart& part : read.parts)
+        parts.push_back({.name = std::move(part.name),
+                         .material = std::move(part.material),
+                         .material_line = part.material_line,
+                         .mesh = std::move(part.mesh)});
+    for (const SourcePart& part : parts) names.insert(part.name);
+}
+
+TomlObjects::SourceFile::SourceFile(std::string path, GltfFile read)
+    : file(std::move(path)),
+      origin(read.origin),
+      list(std::move(read.scene.materials)),
+      materials(list) {
+    for (Object& object : read.scene.objects)
+        parts.push_back({.name = std::move(object.name),
+                         .own = &list[object.material],
+                         .shared = std::move(object.mesh),
+                         .file_from_part = object.world_from_object});
+    for (const SourcePart& part : parts) names.insert(part.name);
 }
 
 void TomlObjects::add(const TomlValue& table) {
@@ -161,23 +183,32 @@ void TomlObjects::add_shape(ObjectTable& object) {
 
 void TomlObjects::add_file(ObjectTable& object) {
     const SourceFile& source = file_of(object);
-    if (const dvec3& origin = source.file.origin; origin != dvec3(0))
+    if (const dvec3& origin = source.origin; origin != dvec3(0))
         object.placed.world_from_object = object.placed.world_from_object * translation(origin);
+    const dmat4 world_from_file = object.placed.world_from_object;
     std::set<std::string> wanted;
     if (object.parts)
         for (std::string& part : to_strings(*object.parts)) {
-            if (!source.parts.contains(part))
+            if (!source.names.contains(part))
                 object.parts->fail(
-                    unknown("part", part, {source.parts.begin(), source.parts.end()}));
+                    unknown("part", part, {source.names.begin(), source.names.end()}));
             wanted.insert(std::move(part));
         }
-    for (const ObjPart& part : source.file.parts) {
+    for (const SourcePart& part : source.parts) {
         if (!wanted.empty() && !wanted.contains(part.name)) continue;
         const std::string& name = object.name.empty() ? part.name : object.name;
+        const MeshData& mesh = part.shared ? part.shared->data() : part.mesh;
         if (object.visible && object.divide > 1)
-            count_triangles(object, divided_triangles(part.mesh, object.divide));
-        add_mesh(object, name, {&part, {}, {}, object.divide}, material_of(object, &source, &part),
-                 [&] { return part.mesh; });
+            count_triangles(object, divided_triangles(mesh, object.divide));
+        if (part.file_from_part != dmat4(1))
+            object.placed.world_from_object = world_from_file * part.file_from_part;
+        add_mesh(object, name, {&mesh, {}, {}, object.divide}, material_of(object, &source, &part),
+                 [&] {
+                     MeshData copy = mesh;
+                     copy.polygon_ids.clear();
+                     return copy;
+                 });
+        object.placed.world_from_object = world_from_file;
     }
 }
 
@@ -186,7 +217,10 @@ const TomlObjects::SourceFile& TomlObjects::file_of(const ObjectTable& object) {
     const std::filesystem::path path =
         find_file(std::filesystem::path(*value.file).parent_path(), object.file);
     if (const std::string fault = file_fault(path); !fault.empty())
-        value.fail("file '" + printable(object.file) + "' " + fault + "; expected an OBJ file");
+        value.fail("file '" + printable(object.file) + "' " + fault +
+                   "; expected an OBJ or glTF file");
+    const std::string extension = lower(path.extension().string());
+    if (extension == ".gltf" || extension == ".glb") return gltf_of(object, path);
     ObjOptions options;
     if (object.crease) options.crease = to_double(*object.crease, {0, 180});
     const std::pair<std::string, double> key{path.string(), options.crease.value_or(-1)};
@@ -195,15 +229,36 @@ const TomlObjects::SourceFile& TomlObjects::file_of(const ObjectTable& object) {
     return files_.try_emplace(key, read_obj(path, options, warnings_)).first->second;
 }
 
+const TomlObjects::SourceFile& TomlObjects::gltf_of(const ObjectTable& object,
+                                                    const std::filesystem::path& path) {
+    if (object.crease) object.crease->fail("crease beside glTF; expected it beside an OBJ file");
+    const std::pair<std::string, double> key{path.string(), -1};
+    const auto found = files_.find(key);
+    if (found != files_.end()) return found->second;
+    GltfFile read = read_gltf(path, warnings_);
+    const auto leave_out = [&](bool is_there, const std::string& what) {
+        if (is_there)
+            warnings_.add(path.string(), 0, what, what + " left out; the scene has its own");
+    };
+    leave_out(read.scene.camera.has_value(), "its camera is");
+    leave_out(read.scene.white > 0, "its lights are");
+    leave_out(read.film.has_value(), "its animation is");
+    return files_.try_emplace(key, path.string(), std::move(read)).first->second;
+}
+
 const Material& TomlObjects::material_of(ObjectTable& object, const SourceFile* source,
-                                         const ObjPart* part) {
+                                         const SourcePart* part) {
     static const std::vector<Material> none;
     static const MaterialNames no_names(none);
     const MaterialNames& own = source ? source->materials : no_names;
     const auto base = [&]() -> const Material& {
         if (!part) return default_material();
+        if (part->own) {
+            const Material* const replaced = library_.find(part->own->name);
+            return replaced ? *replaced : *part->own;
+        }
         return find_material({&library_, &own}, part->material,
-                             {source->file.file, part->material_line});
+                             {source->file, part->material_line});
     };
     const TomlValue* const value = object.material;
     if (!value) return base();

@@ -1,7 +1,8 @@
-// [[object]]: parts of OBJ files and shapes, placed and given materials. docs/scenes.md has every
-// key.
+// [[object]]: parts of OBJ and glTF files and shapes, placed and given materials. docs/scenes.md has
+// every key.
 #pragma once
 
+#include "scene/gltf/read_gltf.h"
 #include "scene/obj/read_obj.h"
 #include "scene/scene_builder.h"
 #include "scene/toml/shape_table.h"
@@ -16,7 +17,7 @@ namespace gw::scene {
 
 class TomlObjects {
 public:
-    /// `library` holds the materials of the TOML file; they take precedence over those of the OBJ
+    /// `library` holds the materials of the TOML file; they take precedence over those of other
     /// files.
     TomlObjects(SceneBuilder& builder, const std::vector<Material>& library, Warnings& warnings)
         : builder_(builder), library_(library), warnings_(warnings) {}
@@ -31,17 +32,32 @@ public:
 
 private:
     struct ObjectTable;
+    /// Of an OBJ file its material by name, of glTF the material itself, its place and a mesh that
+    /// parts may share.
+    struct SourcePart {
+        std::string name, material;
+        int material_line = 0;
+        const Material* own = nullptr;
+        MeshData mesh;
+        MeshRef shared;
+        dmat4 file_from_part{1};
+    };
     /// A file that was read, and its parts by their names.
     struct SourceFile {
         explicit SourceFile(ObjFile read);
+        SourceFile(std::string path, GltfFile read);
         SourceFile(const SourceFile&) = delete;
         SourceFile& operator=(const SourceFile&) = delete;
-        ObjFile file;
+        std::string file;
+        dvec3 origin;
+        std::vector<Material> list;
         MaterialNames materials;
-        std::set<std::string_view> parts;
+        std::vector<SourcePart> parts;
+        std::set<std::string_view> names;
     };
-    /// A part of a file or a shape with its parameters, and its pieces (scene/geometry/divide.h).
-    using MeshKey = std::tuple<const ObjPart*, std::string, std::vector<double>, int>;
+    /// The mesh of a file's part or a shape with its parameters, and its pieces
+    /// (scene/geometry/divide.h).
+    using MeshKey = std::tuple<const void*, std::string, std::vector<double>, int>;
 
     void add_file(ObjectTable& object);
     void add_shape(ObjectTable& object);
@@ -50,7 +66,9 @@ private:
     void add_mesh(ObjectTable& object, const std::string& name, const MeshKey& key,
                   const Material& material, const Make& make);
     const SourceFile& file_of(const ObjectTable& object);
-    const Material& material_of(ObjectTable& object, const SourceFile* source, const ObjPart* part);
+    const SourceFile& gltf_of(const ObjectTable& object, const std::filesystem::path& path);
+    const Material& material_of(ObjectTable& object, const SourceFile* source,
+                                const SourcePart* part);
     const Material& changed_material(ObjectTable& object, const Material& base);
 
     SceneBuilder& builder_;

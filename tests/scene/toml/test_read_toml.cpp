@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/scene/folder.h"
+#include "tests/scene/gltf/gltf_text.h"
 
 namespace gw::scene {
 namespace {
@@ -131,7 +132,7 @@ TEST_F(Toml, MaterialKeys) {
     EXPECT_EQ(m.Tf, vec3(0, 1, 0));
     EXPECT_EQ(m.illum, 5);
     EXPECT_EQ(m.map_Ka.at(0).file, map);
-    EXPECT_EQ(m.map_Kd.at(1).wrap, Wrap::Clamp);
+    EXPECT_EQ(m.map_Kd.at(1).wrap_t, Wrap::Clamp);
     EXPECT_EQ(m.map_Kd[1].scale, vec2(2));
     EXPECT_EQ(m.map_Kd[1].offset, vec2(0.5f, 0));
     EXPECT_EQ(m.map_Kd[1].origin.line, 12);
@@ -268,6 +269,62 @@ TEST_F(Toml, WarnsOfGlareOfAnObjectThatDoesNotEmit) {
     EXPECT_EQ(folder.relative(dark.warnings[0]),
               "s.toml:1: glare has no effect on an object that does not emit; expected Ke");
     EXPECT_EQ(file(box + "material = {Ke = 1}\n").warnings, Strings());
+}
+
+TEST_F(Toml, PartsOfGltfKeepTheirPlacesAndMaterials) {
+    std::string text =
+        replaced(triangle_gltf(), R"({"name": "leaf", "mesh": 0})",
+                 R"({"name": "leaf", "mesh": 0, "translation": [1, 0, 0], "children": [1]},
+           {"name": "bud", "mesh": 0, "translation": [0, 5, 0]})");
+    text = replaced(text, R"("indices": 1)", R"("indices": 1, "material": 0)");
+    text = replaced(
+        text, R"("meshes")",
+        R"("materials": [{"name": "green", "pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1], "metallicFactor": 0}}],
+           "animations": [], "cameras": [], "meshes")");
+    folder.write("m.gltf", text);
+    const std::string object = "[[object]]\nfile = 'm.gltf'\n";
+    const SceneFile whole = file(object + "scale = 2\ntranslate = [0, 0, 7]\n");
+    EXPECT_TRUE(whole.warnings.empty());
+    const auto& objects = whole.scene.objects;
+    ASSERT_EQ(objects.size(), 2u);
+    EXPECT_EQ(objects[0].name, "leaf");
+    EXPECT_EQ(objects[1].name, "bud");
+    EXPECT_EQ(objects[0].world_from_object * dvec4(2, 0, 0, 1), dvec4(6, 0, 7, 1));
+    EXPECT_EQ(objects[1].world_from_object * dvec4(0, 3, 0, 1), dvec4(2, 16, 7, 1));
+    EXPECT_EQ(objects[0].mesh->data().polygon_ids, (Ids{0}));
+    EXPECT_EQ(objects[1].mesh->data().polygon_ids, (Ids{1}));
+    EXPECT_EQ(whole.scene.materials.at(objects[1].material).Kd, vec3(0, 1, 0));
+
+    const Scene bud = file(object + "parts = 'bud'\nname = 'b'\nmaterial = {Ks = 0.5}\n").scene;
+    ASSERT_EQ(bud.objects.size(), 1u);
+    EXPECT_EQ(bud.objects[0].name, "b");
+    EXPECT_EQ(bud.materials.at(bud.objects[0].material).Kd, vec3(0, 1, 0));
+    EXPECT_EQ(bud.materials.at(bud.objects[0].material).Ks, vec3(0.5f));
+    const Scene red = file("[material.green]\nKd = [1, 0, 0]\n" + object).scene;
+    EXPECT_EQ(red.materials.at(red.objects.at(0).material).Kd, vec3(1, 0, 0));
+    EXPECT_EQ(folder.scene_error("s.toml", object + "crease = 30\n"),
+              "s.toml:3: crease beside glTF; expected it beside an OBJ file");
+    EXPECT_EQ(folder.scene_error("s.toml", object + "parts = 'leav'\n"),
+              "s.toml:3: unknown part 'leav'; the nearest known is 'leaf'");
+}
+
+TEST_F(Toml, LightsAndCamerasOfGltfAreLeftOut) {
+    std::string text =
+        replaced(triangle_gltf(), R"("mesh": 0)",
+                 R"("mesh": 0, "camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}})");
+    text = replaced(
+        text, R"("scene": 0)",
+        R"("scene": 0, "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.5}}],
+           "extensions": {"KHR_lights_punctual": {"lights": [{"type": "directional"}]}})");
+    folder.write("m.gltf", text);
+    const SceneFile read = file("[[object]]\nfile = 'm.gltf'\n");
+    EXPECT_FALSE(read.scene.camera);
+    EXPECT_TRUE(read.scene.lights.empty());
+    ASSERT_EQ(read.warnings.size(), 2u);
+    EXPECT_EQ(folder.relative(read.warnings[0]),
+              "m.gltf: its camera is left out; the scene has its own");
+    EXPECT_EQ(folder.relative(read.warnings[1]),
+              "m.gltf: its lights are left out; the scene has its own");
 }
 
 }  // namespace gw::scene

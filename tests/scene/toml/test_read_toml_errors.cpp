@@ -182,14 +182,14 @@ TEST_F(TomlError, Objects) {
     EXPECT_EQ(fault("\n[[object]]\nname = 'x'\n"),
               "s.toml:2: object has neither file nor shape; expected one of them");
     EXPECT_EQ(fault("[[object]]\nfile = 'no.obj'\n"),
-              "s.toml:2: file 'no.obj' does not exist; expected an OBJ file");
+              "s.toml:2: file 'no.obj' does not exist; expected an OBJ or glTF file");
     std::filesystem::create_directory(folder.path() / "d");
     EXPECT_EQ(fault("[[object]]\nfile = 'd'\n"),
-              "s.toml:2: file 'd' is a directory; expected an OBJ file");
+              "s.toml:2: file 'd' is a directory; expected an OBJ or glTF file");
     EXPECT_EQ(fault("\nmtllib = ['d']\n[[object]]\nshape = 'box'\n"),
               "s.toml:2: mtllib 'd' is a directory; expected an MTL file");
     EXPECT_EQ(fault("[[object]]\nfile = '/dev/null'\n"),
-              "s.toml:2: file '/dev/null' is a device or a pipe; expected an OBJ file");
+              "s.toml:2: file '/dev/null' is a device or a pipe; expected an OBJ or glTF file");
     EXPECT_EQ(object("parts = ['tri', 'quad']"),
               "s.toml:3: unknown part 'quad'; the nearest known is 'tri'");
     EXPECT_EQ(fault("[[object]]\nshape = 'no shape'\n").substr(0, 34),
