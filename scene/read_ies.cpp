@@ -156,7 +156,9 @@ Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
         in.fail(number_text(double(vertical) * double(horizontal)) + " candela values",
                 "at most " + number_text(most_values));
     const double type = in.number("1, type C photometry");
-    if (type != 1) in.fail("photometry of type " + number_text(type), "1, which is C");
+    if (type == 2) in.fail("photometry of type 2, B, whose angles are of floodlights", "1, C");
+    if (type == 3) in.fail("photometry of type 3, A, whose angles are of headlamps", "1, C");
+    if (type != 1) in.fail("photometry of type " + number_text(type), "1, C");
     in.number("units, 1 for feet or 2 for metres", 1, 2);
     for (const char* side : {"width", "length", "height"})
         in.number((std::string("the opening's ") + side).c_str(), -1e6, 1e6);

@@ -162,7 +162,12 @@ TEST_F(Ies, WhatIsWrongIsRefusedWithItsLine) {
     EXPECT_EQ(refusal("IESNA91\nTILT=lamp.tlt\n"),
               "lamp.ies:2: TILT= names another file; expected TILT=NONE or TILT=INCLUDE");
     EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 3 1 0 0 0"),
-              "lamp.ies:3: photometry of type 3; expected 1, which is C");
+              "lamp.ies:3: photometry of type 3, A, whose angles are of headlamps; expected 1, C");
+    EXPECT_EQ(
+        refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 2 1 0 0 0"),
+        "lamp.ies:3: photometry of type 2, B, whose angles are of floodlights; expected 1, C");
+    EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 4 1 0 0 0"),
+              "lamp.ies:3: photometry of type 4; expected 1, C");
     EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 100000 100000 1"),
               "lamp.ies:3: 1e+10 candela values; expected at most 4e+06");
     EXPECT_EQ(refusal("no labels\n"), "lamp.ies:1: ends here; expected TILT= and the photometry");
