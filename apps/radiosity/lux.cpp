@@ -11,9 +11,7 @@
 namespace gw::apps {
 
 radiosity::PixmapModel lit_model(const scene::Scene& scene, const RadiosityOptions& options) {
-    radiosity::PixmapModel model = radiosity::make_model(scene, options.model);
-    radiosity::add_direct_light(scene, model, options.solver.form_factors);
-    return model;
+    return radiosity::make_lit_model(scene, options.model, options.solver.form_factors);
 }
 
 void check_lux(const RadiosityOptions& options, const scene::Scene& scene) {

@@ -90,7 +90,7 @@ radiosity::DisplayedPixmaps displayed(const Solved& solved, const RadiosityOptio
 }
 
 double shown_scale(const RadiosityOptions& options, const scene::Scene& scene) {
-    return pow(2, options.exposure) / (scene.white > 0 ? scene.white : 1);
+    return pow(2, options.exposure) * radiosity::scale_of_white(scene);
 }
 
 RadiosityPictures::RadiosityPictures(const RadiosityOptions& options, const scene::Scene& scene,

@@ -22,8 +22,9 @@ Machine& LightDrawer::machine_for(const scene::View& view) {
 image::Picture LightDrawer::draw(const Light& light, const scene::View& view,
                                  const vec3& background, double exposure) {
     Machine& machine = machine_for(view);
-    machine.execute(radiosity::texture_list(*light.model, *light.colors, view,
-                                            {gw::pow(2, exposure), background}));
+    const double scale = gw::pow(2, exposure) * radiosity::scale_of_white(light.model->drawn);
+    machine.execute(
+        radiosity::texture_list(*light.model, *light.colors, view, {scale, background}));
     return image::picture_of(machine.planes().color, view.width, view.height,
                              machine.profile().color_bits);
 }

@@ -14,7 +14,7 @@ class LightDrawer {
 public:
     explicit LightDrawer(int threads) : threads_(threads) {}
 
-    /// The radiosity times 2^exposure, from the view, on the profile `ideal`.
+    /// The radiosity by the scene's white, times 2^exposure, from the view, on the profile `ideal`.
     image::Picture draw(const Light& light, const scene::View& view, const vec3& background,
                         double exposure);
     /// The number in PixmapModel::figures of the figure at a pixel of the view, rows from the bottom.

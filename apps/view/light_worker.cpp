@@ -2,7 +2,7 @@
 
 #include "apps/command/command.h"
 #include "gw/error.h"
-#include "radiosity/model/figures.h"
+#include "radiosity/solver/direct_light.h"
 
 #include <fmt/format.h>
 
@@ -65,7 +65,8 @@ bool LightWorker::has_work() const {
 
 void LightWorker::run() {
     try {
-        solver_ = std::make_unique<radiosity::Solver>(radiosity::make_model(scene_), options_);
+        solver_ = std::make_unique<radiosity::Solver>(
+            radiosity::make_lit_model(scene_, {}, options_.form_factors), options_);
         publish("before the first shot", true);
         solve();
     } catch (const radiosity::FormFactors::Canceled&) {
@@ -121,7 +122,8 @@ void LightWorker::apply_change(const Change& change) {
     scene::Scene changed = scene_;
     try {
         apply(change, changed);
-        const radiosity::Update done = solver_->update(radiosity::make_model(changed));
+        const radiosity::Update done =
+            solver_->update(radiosity::make_lit_model(changed, {}, options_.form_factors));
         scene_ = std::move(changed);
         is_changed_ = true;
         {

@@ -1,6 +1,7 @@
 // Pixmap radiosity, shot by shot.
 #include "radiosity/display/display.h"
 #include "radiosity/model/figures.h"
+#include "radiosity/solver/direct_light.h"
 #include "radiosity/solver/solver.h"
 #include "radiosity/solver/stall.h"
 #include "scene/draw/nearest.h"
@@ -36,7 +37,8 @@ public:
         options.form_factors.cancel = &cancel_;
         form_factors_ = options.form_factors;
         solver_ = without_lock([&] {
-            return std::make_unique<rd::Solver>(rd::make_model(scene_, options_), options);
+            return std::make_unique<rd::Solver>(rd::make_lit_model(scene_, options_, form_factors_),
+                                                options);
         });
         watch();
         warn(without_lock([&] { return scene::warnings_of(scene_, {}, scene::DrawnBy::Rays); }));
@@ -134,7 +136,8 @@ public:
         scene::check_scene(given);
         scene::Scene scene = given;  // which another thread may change
         const rd::Update done = cancelable(turn_, cancel_, [&] {
-            const rd::Update update = solver_->update(rd::make_model(scene, options_));
+            const rd::Update update =
+                solver_->update(rd::make_lit_model(scene, options_, form_factors_));
             scene_ = std::move(scene);
             watch();
             return update;
@@ -156,7 +159,8 @@ public:
         const CommandList list = in_turn(turn_, [&] {
             const SceneInView now(scene_, camera, width, height);
             cut_off = scene::near_warning(now.scene, now.view);
-            const rd::Brightness scale{.scale = brightness, .background = scene_.background};
+            const rd::Brightness scale{.scale = brightness * rd::scale_of_white(scene_),
+                                       .background = scene_.background};
             const rd::PixmapModel& model = solver_->model();
             const auto colors = displayed_pixmaps(model, solver_->solution(), ambient);
             return strips ? rd::strip_list(model, colors, now.view, scale)

@@ -121,8 +121,8 @@ void add_lights(py::module_& m) {
         .field("v", &A::v, "The other one; not of a line.")
         .field("samples", &A::samples, "Superposed pictures, at least, 1 .. 4096.");
     using L = scene::Light;
-    Fields<L>(m, "SceneLight", "A light in world space.")
-        .field("name", &L::name, "In pass names.")
+    Fields<L> light(m, "SceneLight", "A light in world space.");
+    light.field("name", &L::name, "In pass names.")
         .field("kind", &L::kind, "Directional, point or spot.")
         .field("position", &L::position, "Of point and spot lights.")
         .field("direction", &L::direction, "In which the light travels.")
@@ -137,6 +137,22 @@ void add_lights(py::module_& m) {
         .field("area", &L::area, "The range of its positions.")
         .field("shadow", &L::shadow, "Its shadows.")
         .field("only", &L::only, "Names of the objects that it lights; empty: all.");
+    light.type()
+        .def_property_readonly(
+            "candela",
+            [](const L& l) -> std::optional<dvec3> {
+                if (!l.luminous) return std::nullopt;
+                return scene::intensity(l, l.kind == scene::LightKind::Point
+                                               ? dvec3(0, -1, 0)
+                                               : dvec3(l.direction) / length(dvec3(l.direction)));
+            },
+            "Its intensity for radiosity, of a spot along its direction; None: it has no unit.")
+        .def_property_readonly(
+            "lumen",
+            [](const L& l) -> std::optional<dvec3> {
+                return l.luminous ? std::optional(scene::luminous_flux(l)) : std::nullopt;
+            },
+            "Its flux for radiosity; None: it has no unit.");
 }
 
 void add_views(py::module_& m) {
@@ -203,6 +219,9 @@ void add_scene(py::module_& m) {
         .field("reflection_in_shadow", &Scene::reflection_in_shadow,
                "Reflection maps are drawn in shadow too [K3.2].");
     type.type()
+        .def_property_readonly(
+            "white", [](const Scene& s) { return s.white; },
+            "The illuminance in lux that makes a white surface white; 0: light has no unit.")
         .def_static("open", &open_scene, py::arg("file"),
                     "Reads a TOML scene or an OBJ file with its textures; warns of statements that "
                     "it does not honour.")

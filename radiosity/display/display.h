@@ -18,6 +18,11 @@ struct Brightness {
     vec3 background{0};
 };
 
+/// The scale that shows the scene's white as 1; 1 if its light has no unit.
+inline double scale_of_white(const scene::Scene& scene) {
+    return scene.white > 0 ? 1 / scene.white : 1;
+}
+
 /// Draws each pixmap as a bilinear texture, with the border of DisplayedPixmaps. In both lists the
 /// identifier of a draw's polygons, shifted right by figure_shift, is its pixmap's number + 1. Drawn
 /// with ColorSource::PolygonId (figures_of), the identifiers tell which figure a pixel shows.

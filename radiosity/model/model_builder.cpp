@@ -97,6 +97,7 @@ ModelBuilder::ModelBuilder(const scene::Scene& scene, const ModelOptions& option
                        : scene.texels_per_unit > 0 ? scene.texels_per_unit
                                                    : automatic_texels / longest;
     model.drawn.name = scene.name;
+    model.drawn.white = scene.white;
     model.drawn.materials.push_back({});
 }
 

@@ -71,4 +71,11 @@ void add_direct_light(const scene::Scene& scene, PixmapModel& model,
     }
 }
 
+PixmapModel make_lit_model(const scene::Scene& scene, const ModelOptions& options,
+                           const FormFactorOptions& form_factors) {
+    PixmapModel model = make_model(scene, options);
+    add_direct_light(scene, model, form_factors);
+    return model;
+}
+
 }  // namespace gw::radiosity

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "radiosity/hemicube/form_factors.h"
+#include "radiosity/model/figures.h"
 
 namespace gw::radiosity {
 
@@ -10,5 +11,9 @@ namespace gw::radiosity {
 /// is in lux. Throws FormFactors::Canceled. The same bits for any number of threads.
 void add_direct_light(const scene::Scene& scene, PixmapModel& model,
                       const FormFactorOptions& options);
+
+/// make_model, with this light.
+PixmapModel make_lit_model(const scene::Scene& scene, const ModelOptions& model,
+                           const FormFactorOptions& options);
 
 }  // namespace gw::radiosity

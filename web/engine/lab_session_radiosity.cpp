@@ -13,7 +13,10 @@ namespace {
 
 image::Tone tone_of(const Json& options) { return {.gamma = options.value("gamma", 1.0)}; }
 
-double scale_of(const Json& options) { return pow(2, options.value("exposure", 0.0)); }
+double scale_of(const Lighting& lighting, const Json& options) {
+    return pow(2, options.value("exposure", 0.0)) *
+           radiosity::scale_of_white(lighting.solver().model().drawn);
+}
 
 radiosity::DisplayedPixmaps colors_of(const Lighting& lighting, const Json& options) {
     const radiosity::Solver& solver = lighting.solver();
@@ -49,7 +52,7 @@ Json LabSession::lit(const Json& options) {
     const scene::Scene scene = scene_for(options);
     const scene::View view = view_of(scene, options);
     machine.execute(radiosity::texture_list(lighting.solver().model(), colors_of(lighting, options),
-                                            view, {scale_of(options), scene.background}));
+                                            view, {scale_of(lighting, options), scene.background}));
     const Planes& planes = machine.planes();
     picture_ = rgba_of(image::toned(
         image::picture_of(planes.color, view.width, view.height, machine.profile().color_bits),
@@ -62,7 +65,7 @@ Json LabSession::pixmap(const Json& options) {
     const std::uint32_t number = options.at("pixmap");
     const radiosity::Pixmap& pixmap = lighting.solver().model().pixmaps.at(number);
     const radiosity::DisplayedPixmaps colors = colors_of(lighting, options);
-    const double scale = scale_of(options);
+    const double scale = scale_of(lighting, options);
     image::Picture picture{.width = pixmap.width, .height = pixmap.height, .bits = 16};
     for (int y = 0; y < pixmap.height; ++y)
         for (int x = 0; x < pixmap.width; ++x)

@@ -3,6 +3,7 @@
 #include "gw/error.h"
 #include "image/plane_pictures.h"
 #include "radiosity/model/changes.h"
+#include "radiosity/solver/direct_light.h"
 
 #include <set>
 
@@ -41,8 +42,9 @@ ivec2 in_cross(std::size_t face, int x, int y, int size) {
 Lighting::Lighting(scene::Scene scene, const Json& options)
     : scene_(std::move(scene)), beginning_(beginning(options)) {
     for (const Json& change : beginning_.at("changes")) apply(change_of(change), scene_);
-    solver_ =
-        std::make_unique<radiosity::Solver>(radiosity::make_model(scene_), solver_options(options));
+    const radiosity::SolverOptions solving = solver_options(options);
+    solver_ = std::make_unique<radiosity::Solver>(
+        radiosity::make_lit_model(scene_, {}, solving.form_factors), solving);
     keep_unshot();
 }
 
@@ -101,7 +103,10 @@ void Lighting::rewind() {
 void Lighting::change(const Json& change) {
     scene::Scene changed = scene_;
     apply(change_of(change), changed);
-    hemicubes_ += solver_->update(radiosity::make_model(changed)).hemicubes;
+    hemicubes_ += solver_
+                      ->update(radiosity::make_lit_model(changed, {},
+                                                         solver_options(beginning_).form_factors))
+                      .hemicubes;
     scene_ = std::move(changed);
     applied_.push_back(change);
     changed_.push_back(unshot_.size());
