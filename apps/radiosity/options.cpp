@@ -73,6 +73,12 @@ void add_saving(CLI::App& command, RadiosityOptions& o) {
     command.add_flag("--save", o.save,
                      "Save the pixmaps in DIR/pixmaps.exr, every few seconds and at the end");
     command.add_flag("--resume", o.resume, "Go on from DIR/pixmaps.exr");
+    command
+        .add_option_function<std::string>(
+            "--rank", [&o](const std::string& word) { o.rank = rank_from(word); },
+            "Process I of N that solve together, with the bits of one; mpi: as mpirun or srun say. "
+            "The first one writes")
+        ->type_name("I/N");
     command.add_flag(
         "--record", o.record,
         "Also DIR/hemicubes.gwt and DIR/pictures.gwt, for gw replay, verify, pixel; on one thread");
@@ -215,6 +221,10 @@ void check(const RadiosityOptions& options) {
     if (options.shares && !options.form_factor.empty())
         throw UsageError("--form-factor solves nothing; expected it without --shares");
     check_mix(options);
+    if (options.rank.count > 1 &&
+        (options.record || options.anew || !options.mix.empty() || !options.form_factor.empty()))
+        throw UsageError(
+            "--rank shares shots; expected it without --record, --anew, --mix and --form-factor");
     if (options.rgbm > 0 && !options.light_maps)
         throw UsageError("--rgbm is a form of light maps; expected --lightmaps beside it");
     if (options.specular && options.display != "texture")

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/picture/picture_options.h"
+#include "apps/radiosity/ranks.h"
 #include "radiosity/model/changes.h"
 #include "radiosity/solver/solver.h"
 
@@ -38,7 +39,8 @@ struct RadiosityOptions {
     double until = 1e-4;  ///< the unshot share that ends shooting
     int every = 0;        ///< a picture after each `every` shots; 0: none
     bool save = false, resume = false, record = false;
-    std::string display = "texture";             ///< texture, strips or both
+    Rank rank;                        ///< this process of several; only the first one writes
+    std::string display = "texture";  ///< texture, strips or both
     std::vector<std::pair<dvec3, dvec3>> views;  ///< eye, at; none: the camera
     double exposure = 0, gamma = 1;
     bool no_ambient = false, specular = false;

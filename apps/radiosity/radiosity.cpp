@@ -85,8 +85,8 @@ public:
 
     int run() {
         image::OutputSet folder;
-        folder.make_folder(options_.output);
-        image::check_target(saved_file());
+        if (writes_) folder.make_folder(options_.output);
+        if (writes_) image::check_target(saved_file());
         scene::Scene changed = scene_;
         apply_changes(options_.changes, changed);
         for (const char* name : {"hemicubes", "pictures"})
@@ -97,12 +97,17 @@ public:
         if (options_.resume) saved_shots_ = solver_.solution().shots;
         if (options_.shares) follow_shares();
         steps_ = {step_of(solver_.model(), solver_.solution(), 0, 0)};
-        if (options_.resume) steps_ = resumed_curve(options_.output, steps_.front());
+        if (options_.resume && writes_) steps_ = resumed_curve(options_.output, steps_.front());
         hemicubes_ = steps_.back().hemicubes;
         seconds_before_ = steps_.back().seconds;
         folder.commit();
-        announce_last_save();
-        while (!finished() && shoot()) after_shot();
+        if (writes_) announce_last_save();
+        solver_.draw_with(meet(options_.rank, options_.output, work()));
+        try {
+            while (!finished() && shoot()) after_shot();
+        } catch (const Error& lost) {
+            save_before(lost);
+        }
         finish();
         if (!options_.changes.empty()) change();
         return Done;
@@ -151,7 +156,30 @@ private:
         return true;
     }
 
+    /// What all processes must have alike.
+    std::string work() const {
+        const radiosity::Solution& now = solver_.solution();
+        const dvec3 unshot = radiosity::books(solver_.model(), now).unshot;
+        return fmt::format(
+            "gw {} model {} {} row_memory {} shots {} of {} until {} unshot {} {} {}", version(),
+            radiosity::fingerprint(solver_.model()),
+            radiosity::fingerprint(options_.solver.form_factors), options_.solver.row_memory,
+            now.shots, options_.shots, options_.until, unshot.x, unshot.y, unshot.z);
+    }
+
+    /// Another process is lost; the state is that of the last whole shot.
+    [[noreturn]] void save_before(const Error& lost) {
+        if (!writes_ || !options_.save || options_.rank.count == 1) throw;
+        image::OutputSet files(session_.inputs);
+        put_saved(files);
+        put_curve(steps_, options_.output, files);
+        files.commit();
+        throw Error(fmt::format("{}; {} has the {} shots till then: --resume goes on from there",
+                                lost.what(), saved_file().string(), solver_.solution().shots));
+    }
+
     void after_shot() {
+        if (!writes_) return;
         if (options_.every > 0 &&
             solver_.solution().shots % static_cast<std::uint64_t>(options_.every) == 0) {
             image::OutputSet files(session_.inputs);
@@ -189,6 +217,7 @@ private:
     }
 
     void finish() {
+        if (!writes_) return;
         image::OutputSet files(session_.inputs);
         std::string text =
             RadiosityPictures(options_, scene_, session_).put(shown(), "picture", files);
@@ -239,6 +268,7 @@ private:
         const auto begin = Clock::now();
         const radiosity::Update update = solver_.update(lit_model(changed, options_));
         const int more = update.hemicubes + solve(solver_);
+        if (!writes_) return;
         const std::string sent =
             update.anew ? "the solution begun again"
                         : fmt::format("the light of {} sent anew",
@@ -292,6 +322,7 @@ private:
     radiosity::Stall stall_;
     std::vector<radiosity::Share> shares_;  ///< their solutions follow the solver's
     bool stalled_ = false;
+    bool writes_ = options_.rank.number == 0;
     Interruption interruption_;
     std::optional<std::uint64_t> saved_shots_;  ///< in DIR/pixmaps.exr
     std::vector<Step> steps_;
@@ -302,6 +333,7 @@ private:
 
 int compute(RadiosityOptions options, Session session) {
     check(options);
+    if (options.rank.number > 0) options.picture.quiet = true;
     Progress progress("reading", options.picture.quiet);
     render::SceneInput input = read_input(options.picture, session);
     for (dvec3& point : options.lux_at) point -= input.origin;

@@ -114,11 +114,37 @@ std::vector<dvec3> Solver::light_of_quarters(std::size_t number, const Solution&
 // Rows depend on the patch alone, so that a shot has the same bits whether they were kept or not.
 const PatchRows& Solver::rows_of(std::size_t patch, int* drawn) {
     if (const PatchRows* kept = rows_.find(patch)) return *kept;
-    const std::vector<Row> rows = form_factors_->from_quarters(patch);
-    for (const Row& row : rows) *drawn += row.hemicubes;
-    drawn_ = compact(rows);
+    if (exchange_ && !rows_.expects(patch)) draw_together(patch);
+    DrawnRows now = rows_.expects(patch) ? rows_.take(patch) : draw(patch);
+    *drawn += now.hemicubes;
+    drawn_ = std::move(now.rows);
     rows_.keep(patch, drawn_, options_.row_memory);
     return drawn_;
+}
+
+DrawnRows Solver::draw(std::size_t patch) {
+    const std::vector<Row> rows = form_factors_->from_quarters(patch);
+    DrawnRows drawn{compact(rows), 0};
+    for (const Row& row : rows) drawn.hemicubes += row.hemicubes;
+    return drawn;
+}
+
+// Each process draws another patch: this one, and the next ones by their unshot light, which will
+// probably shoot soon. All processes find the same patches, because they have the same light.
+void Solver::draw_together(std::size_t patch) {
+    std::vector<std::pair<double, std::size_t>> waiting;
+    for (std::size_t p = 0; p < model_->patches.size(); ++p)
+        if (p != patch && !rows_.find(p) && !rows_.expects(p))
+            waiting.emplace_back(-magnitude(unshot_flux(model_->patches[p], solution_)), p);
+    const std::size_t others = std::min(exchange_->processes() - 1, waiting.size());
+    std::partial_sort(waiting.begin(), waiting.begin() + std::ptrdiff_t(others), waiting.end());
+    std::vector<std::size_t> patches{patch};
+    for (std::size_t i = 0; i < others; ++i) patches.push_back(waiting[i].second);
+    const std::size_t mine = exchange_->rank();
+    const std::vector<std::string> all =
+        exchange_->exchange(mine < patches.size() ? to_bytes(draw(patches[mine])) : std::string());
+    for (std::size_t i = patches.size(); i-- > 0;)
+        rows_.expect(patches[i], rows_from(all.at(i)), options_.row_memory);
 }
 
 /// Adds the light of a patch's quarters to the incoming light. One quarter's form factors may add up

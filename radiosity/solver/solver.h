@@ -13,6 +13,7 @@
 #include "radiosity/solver/solution.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace gw::radiosity {
@@ -65,6 +66,10 @@ public:
     void follow(std::vector<Solution> parts);
     const std::vector<Solution>& parts() const { return parts_; }
 
+    /// From now on draws form factors together with other processes, which have the same model,
+    /// options and light and make the same calls. All get the bits of one process.
+    void draw_with(std::shared_ptr<RowExchange> others) { exchange_ = std::move(others); }
+
     /// The patch that is next, and its unshot flux.
     std::pair<std::size_t, dvec3> brightest() const;
 
@@ -81,6 +86,8 @@ public:
 private:
     /// The rows are drawn if they are not kept, and valid until the next call.
     const PatchRows& rows_of(std::size_t patch, int* drawn);
+    DrawnRows draw(std::size_t patch);
+    void draw_together(std::size_t patch);
     void send(std::size_t patch, const dvec3& flux, const PatchRows& rows, Solution& solution);
     std::vector<dvec3> light_of_quarters(std::size_t patch, const Solution& solution) const;
     void add_light(const PatchRows& rows, const std::vector<dvec3>& light, Solution& solution);
@@ -107,8 +114,9 @@ private:
     Solution solution_;
     std::vector<Solution> parts_;  ///< that follow
     Rows rows_;
-    PatchRows drawn_;              ///< the last rows that were not kept yet
-    std::vector<dvec3> incoming_;  ///< flux to each element, in the shot in progress
+    PatchRows drawn_;                        ///< the last rows that were not kept yet
+    std::shared_ptr<RowExchange> exchange_;  ///< null: alone
+    std::vector<dvec3> incoming_;            ///< flux to each element, in the shot in progress
 };
 
 }  // namespace gw::radiosity
