@@ -86,6 +86,8 @@ int run(const std::vector<std::string>& arguments);
 
 /// The number of this version of gw.
 std::string version();
+/// The commit that was built, "-dirty" behind it if files differed; "unknown" outside a checkout.
+std::string commit();
 
 /// The words after "gw" as a line for a shell at the repository's root, quoted where a shell would
 /// change them: "build/release/bin/gw render 'my scene.toml'".

@@ -138,7 +138,7 @@ std::vector<ErrorRow> errors(const PassStudy& study) {
 
 std::vector<std::pair<std::string, std::string>> surroundings() {
     return {
-        {"program", "gw " + apps::version()},
+        {"program", "gw " + apps::version()}, {"commit", apps::commit()},
 #if defined(__clang__)
             {"compiler", fmt::format("clang {}", __clang_version__)},
 #else

@@ -58,6 +58,28 @@ TEST_F(PassesCommand, WritesTheSameCountsTwice) {
         EXPECT_FALSE(apps::bytes_of(in(std::string("out/") + name)).empty()) << name;
 }
 
+// The text is one compiler's: whichever builds this test must count the same.
+TEST_F(PassesCommand, CountsAreThoseOfEveryCompiler) {
+    write_scene();
+    ASSERT_EQ(study({"--sweep", "depth=2"}).code, 0);
+    const std::string expected =
+        "sweep,value,x,method,width,height,samples,lights,depth,triangles,passes,draws,"
+        "primitives,fragments,written,texels,pixels,bytes,primary,reflected,transmitted,"
+        "shadow,shaded,boxes_tested,triangles_tested,picture\n"
+        "scene,1,1,maps,32,24,1,1,2,14,6,13,102,3378,2136,0,4608,25671,0,0,0,0,0,0,0,"
+        "2789789f95b095d81c64cebde32255a9\n"
+        "scene,1,1,item-buffer,32,24,1,1,2,14,8,15,116,4674,3378,0,6912,45165,30,30,0,18,"
+        "18,384,414,595dab39da710537076d22ad8a168948\n"
+        "scene,1,1,item-buffer-maps,32,24,1,1,2,14,11,20,146,5228,3908,0,16128,73761,30,"
+        "30,0,0,18,240,270,595dab39da710537076d22ad8a168948\n"
+        "scene,1,1,ray-tracing,32,24,1,1,2,14,1,0,0,768,768,0,0,3072,768,30,0,450,450,"
+        "9984,7846,fff1f150fb12184ee9633f46b0cd7f03\n";
+    EXPECT_TRUE(apps::bytes_of(in("out/counts.csv")).starts_with(expected));
+    EXPECT_FALSE(results()["measured_by"]["commit"].get<std::string>().empty());
+    EXPECT_NE(apps::bytes_of(in("out/times.csv")).find(",program,commit,compiler,"),
+              std::string::npos);
+}
+
 TEST_F(PassesCommand, NamesTheSceneByTheDigestThatManifestsHave) {
     write_scene();
     ASSERT_EQ(study({"--sweep", "depth=1"}).code, 0);
