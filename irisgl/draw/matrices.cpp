@@ -14,9 +14,11 @@ namespace gw::irisgl {
 
 namespace {
 
+dvec4 row(const dmat4& m, int i) { return {m[0][i], m[1][i], m[2][i], m[3][i]}; }
+
 dvec4 times(const dmat4& m, const dvec4& v) {
     dvec4 out;
-    for (int i = 0; i < 4; ++i) out[i] = dot4({m[0][i], m[1][i], m[2][i], m[3][i]}, v);
+    for (int i = 0; i < 4; ++i) out[i] = dot4(row(m, i), v);
     return out;
 }
 
@@ -52,35 +54,74 @@ std::optional<dvec3> window_from_object(const dvec4& p) {
 
 namespace {
 
-dmat4 object_from_clip_matrix() {
-    const State& s = state();
-    const dmat4& m = s.matrices.back();
-    return glm::inverse(s.matrix_mode == MSINGLE ? m : s.projection * m);
-}
-
-/// The object coordinates of clip coordinates.
-dvec4 object_from_clip(const dvec4& clip) { return times(object_from_clip_matrix(), clip); }
-
 bool is_finite(const dvec4& p) { return std::isfinite(p.x + p.y + p.z + p.w); }
+
+/// Moves vertices on the screen, by their object coordinates. Their depth stays, unless that needs
+/// far greater moves than others: of shadows on a plane, or after scale(x, y, 0).
+class Mover {
+public:
+    explicit Mover(const dmat4& clip_from_object)
+        : matrix_(clip_from_object), inverse_(glm::inverse(matrix_)) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) products_[i][j] = dot4(row_of(i), row_of(j));
+        products_ = glm::inverse(products_);
+        constexpr double most = 100;
+        for (int i = 0; i < 2; ++i) {
+            dvec4 move(0);
+            move[i] = 1;
+            const dvec4 least = smallest(move), exact = inverse_[i];
+            keeps_depth_ &= dot4(exact, exact) <= most * most * dot4(least, least);
+        }
+    }
+
+    /// Of the matrices now; the last one is kept.
+    static const Mover& now() {
+        const State& s = state();
+        const dmat4& m = s.matrices.back();
+        const dmat4 matrix = s.matrix_mode == MSINGLE ? m : s.projection * m;
+        static Mover last(matrix);
+        if (last.matrix_ != matrix) last = Mover(matrix);
+        return last;
+    }
+
+    /// Not moved if that cannot be.
+    dvec4 moved(const dvec4& p, const dvec4& from, const dvec4& to) const {
+        const dvec4 there = keeps_depth_ ? times(inverse_, to) : p + smallest(to - from);
+        return is_finite(there) ? there : p;
+    }
+
+private:
+    /// Of x, y and w.
+    dvec4 row_of(int i) const { return row(matrix_, i < 2 ? i : 3); }
+    dvec4 smallest(const dvec4& move) const {
+        const dvec3 parts = products_ * dvec3(move.x, move.y, move.w);
+        return parts.x * row_of(0) + parts.y * row_of(1) + parts.z * row_of(2);
+    }
+
+    dmat4 matrix_, inverse_;
+    bool keeps_depth_ = true;
+    dmat3 products_{1};  ///< of the rows, inverted
+};
 
 }  // namespace
 
 void snap_to_pixels(std::span<Vertex> vertices, bool is_area) {
-    const dmat4 back = object_from_clip_matrix();
+    const Mover& mover = Mover::now();
     const Bounds& view = state().viewport;
     // A number that rounding put just beside a pixel's side is on it.
     constexpr double tiny = 1.0 / 4096;
     const auto upper = [](double v) { return std::floor(v + tiny) + 0.5; };
     const auto lower = [](double v) { return std::ceil(v - tiny) - 0.5; };
     for (Vertex& v : vertices) {
-        dvec4 clip = clip_from_object(v.p);
+        const dvec4 from = clip_from_object(v.p);
+        dvec4 clip = from;
         if (!(clip.w > 0)) continue;
         const double x = upper((clip.x / clip.w + 1) / 2 * view.width());
         const double at = (clip.y / clip.w + 1) / 2 * view.height();
         const double y = is_area ? lower(at) : upper(at);
         clip.x = (x / view.width() * 2 - 1) * clip.w;
         clip.y = (y / view.height() * 2 - 1) * clip.w;
-        if (const dvec4 moved = times(back, clip); is_finite(moved)) v.p = moved;
+        v.p = mover.moved(v.p, from, clip);
     }
 }
 
@@ -111,7 +152,9 @@ bool own_edge_pixels(std::vector<dvec4>& corners) {
         clip[i].x = (x / view.width() * 2 - 1) * clip[i].w;
         clip[i].y = (y / view.height() * 2 - 1) * clip[i].w;
     }
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = object_from_clip(clip[i]);
+    const Mover& mover = Mover::now();
+    for (std::size_t i = 0; i < 4; ++i)
+        corners[i] = mover.moved(corners[i], clip_from_object(corners[i]), clip[i]);
     return true;
 }
 

@@ -255,4 +255,52 @@ TEST_F(IrisGlManual, AClearIsWholeWhateverPolygonsAre) {
     EXPECT_EQ(cleared([](Boolean on) { frontface(on); }), 128);
 }
 
+// A matrix without an inverse: what is flat all the same has the same pixels.
+TEST_F(IrisGlManual, WhatIsScaledFlatHasTheSamePixels) {
+    const auto drawn = [](float z_scale) {
+        color(0);
+        clear();
+        color(5);
+        pushmatrix();
+        scale(2, 2, z_scale);
+        rectf(1.1f, 1.1f, 3.1f, 2.1f);
+        float corners[3][2] = {{4.2f, 4.1f}, {6.9f, 4.3f}, {5, 6.8f}};
+        bgnpolygon();
+        for (auto& corner : corners) v2f(corner);
+        endpolygon();
+        circf(2, 6, 1);
+        popmatrix();
+        std::vector<int> pixels;
+        for (int y = 0; y < 16; ++y)
+            for (int x = 0; x < 16; ++x) pixels.push_back(index_at(x, y));
+        return pixels;
+    };
+    EXPECT_EQ(drawn(0), drawn(1));
+    EXPECT_EQ(drawn(1e-7f), drawn(1));
+    EXPECT_GT(count_of(5), 20);
+}
+
+// A light at (8, 8, 8), a square of 2 x 2 at z = 4 around (8, 8): its shadow on z = 0 has 4 x 4,
+// with the pixels of its left and upper sides.
+TEST_F(IrisGlManual, AShadowOnAPlaneIsWhereTheLightThrowsIt) {
+    ortho(-0.5f, 15.5f, -0.5f, 15.5f, -20, 20);
+    for (const float almost : {0.0f, 1e-6f}) {
+        Matrix onto_plane = {{8, 0, 0, 0}, {0, 8, 0, 0}, {0, 0, 8, -1}, {0, 0, 0, almost}};
+        color(0);
+        clear();
+        pushmatrix();
+        translate(8, 8, 8);
+        multmatrix(onto_plane);
+        color(5);
+        float corners[4][3] = {{-1, -1, -4}, {1, -1, -4}, {1, 1, -4}, {-1, 1, -4}};
+        bgnpolygon();
+        for (auto& corner : corners) v3f(corner);
+        endpolygon();
+        popmatrix();
+        EXPECT_EQ(count_of(5), 4 * 4) << almost;
+        for (int y = 7; y <= 10; ++y)
+            for (int x = 6; x < 10; ++x) EXPECT_EQ(index_at(x, y), 5) << x << " " << y;
+    }
+}
+
 }  // namespace gw::irisgl
