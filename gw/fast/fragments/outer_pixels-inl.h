@@ -1,6 +1,6 @@
 // Colours and texels of a primitive's pixels with outer centres (R9.28): planes limited to the values
-// at the corners. docs/manual/samples.md; scalar twin: gw/reference/interpolants.cpp. Does not join
-// colours and texels. Included once per Highway target.
+// at the corners. docs/manual/samples.md; scalar twin: gw/reference/interpolants.cpp. Does not test.
+// Included once per Highway target.
 #if defined(GW_FAST_OUTER_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_OUTER_PIXELS_INL_H_
 #undef GW_FAST_OUTER_PIXELS_INL_H_
@@ -45,8 +45,28 @@ public:
         if (!has_limits()) scalar_textures_.emplace(draw_, primitive_, frame());
     }
 
-    /// Puts the colours and the texels of the pixels of `lanes` into the inputs of shading.
-    HWY_NOINLINE void put(int bx, int by, std::uint32_t lanes, ShadeInputs& in) {
+    /// Whether color_of() can be called.
+    HWY_INLINE bool joins() const { return !scalar_textures_; }
+    /// The colours of the pixels of `outer`, and of those of `inner`, which have no outer centres.
+    HWY_NOINLINE const ColorBlock& color_of(BatchPlanes& planes, std::size_t i, int bx, int by,
+                                            std::uint32_t inner, std::uint32_t outer) {
+        ShadeInputs& in = planes.in;
+        planes.evaluate(i, bx, by, inner);
+        planes.flat_in = batch_capacity;  // its lanes do not stay
+        if (draw_.op->texels)
+            for_each_unit(*draw_.op, texture_,
+                          [&](std::size_t number, const UnitOp& unit, const TexturePlanes& of) {
+                              values_of(of, texture_of(draw_.op->state.state, number), unit, bx, by,
+                                        values_[number]);
+                          });
+        put(bx, by, outer, in, inner);
+        return shaded(draw_, in.texels[0], in);
+    }
+
+    /// Puts the colours and the texels of the pixels of `lanes` into the inputs of shading. Looks up
+    /// the lanes of `inner` too.
+    HWY_NOINLINE void put(int bx, int by, std::uint32_t lanes, ShadeInputs& in,
+                          std::uint32_t inner = 0) {
         const bool looks_up = draw_.op->texels != nullptr;
         for (std::uint32_t rest = lanes; rest != 0; rest &= rest - 1) {
             const int lane = std::countr_zero(rest);
@@ -58,7 +78,8 @@ public:
             else
                 put_values(bx, by, lane);
         }
-        if (looks_up && !scalar_textures_) look_up(texture_, values_, draw_, bx, by, lanes, in);
+        if (looks_up && !scalar_textures_)
+            look_up(texture_, values_, draw_, bx, by, lanes | inner, in);
     }
 
 private:

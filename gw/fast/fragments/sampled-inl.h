@@ -137,8 +137,13 @@ private:
     }
     HWY_NOINLINE void shade(int bx, int by, std::uint32_t any, std::uint32_t inside) {
         is_shaded_ = true;
-        if ((any & inside) != 0) color_ = planes_.color_of(i_, bx, by, any & inside);
-        if ((any & ~inside) != 0) shade_outer(bx, by, any & ~inside);
+        const std::uint32_t inner = any & inside, outer = any & ~inside;
+        if (inner != 0 && outer != 0 && joins()) {
+            color_ = outer_->color_of(planes_, i_, bx, by, inner, outer);
+        } else {
+            if (inner != 0) color_ = planes_.color_of(i_, bx, by, inner);
+            if (outer != 0) shade_outer(bx, by, outer);
+        }
         if (rules_.by_alpha)
             for (int k = 0; k < rules_.samples; ++k)
                 kept_by_alpha_[std::size_t(k)] = rules_.kept(k, color_, all_lanes);
@@ -146,9 +151,16 @@ private:
             std::fill(std::begin(color_.channel[3]), std::end(color_.channel[3]), rules_.one);
     }
 
+    HWY_INLINE bool makes_outer() {
+        if (!outer_ && OuterPixels::applies_to(planes_, i_)) outer_.emplace(planes_, i_, ordinal_);
+        return outer_.has_value();
+    }
+    /// Whether pixels with outer centres and others are shaded together.
+    HWY_INLINE bool joins() { return makes_outer() && outer_->joins(); }
+
     /// The colours of lanes with outer centres.
     HWY_NOINLINE void shade_outer(int bx, int by, std::uint32_t lanes) {
-        if (!OuterPixels::applies_to(planes_, i_)) {
+        if (!makes_outer()) {
             for (; lanes != 0; lanes &= lanes - 1) {
                 const int lane = std::countr_zero(lanes);
                 const PrimitiveFrame at = outer_frame(draw_, center(), bx, by, lane);
@@ -157,7 +169,6 @@ private:
             }
             return;
         }
-        if (!outer_) outer_.emplace(planes_, i_, ordinal_);
         outer_->put(bx, by, lanes, outer_inputs_);
         const ColorBlock& colors = shaded(draw_, outer_inputs_.texels[0], outer_inputs_);
         for (; lanes != 0; lanes &= lanes - 1) copy_lane(colors, std::countr_zero(lanes), color_);

@@ -115,6 +115,9 @@ public:
         int i, j;  ///< the pixel in the tile
     };
     DepthPlace depth_place(int x, int y) const;
+    const DepthPlanes& depth_planes(const DepthPlace& place) const {
+        return depth_planes_[place.tile];
+    }
     std::uint32_t depth_at(const DepthPlace& place) const;
 
 private:

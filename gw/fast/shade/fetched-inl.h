@@ -36,6 +36,12 @@ struct CornerLanes {
     alignas(64) std::uint32_t a[block_pixels], b[block_pixels], c[block_pixels], e[block_pixels],
         wx[block_pixels], wy[block_pixels];
 
+    HWY_INLINE void clear() {
+        const D32 d;
+        for (std::uint32_t* const lanes : {a, b, c, e, wx, wy})
+            for (std::size_t i = 0; i < block_pixels; i += lanes32)
+                hn::Store(hn::Zero(d), d, lanes + i);
+    }
     HWY_INLINE void put(std::size_t lane, std::uint32_t ta, std::uint32_t tb, std::uint32_t tc,
                         std::uint32_t te, int x, int y) {
         a[lane] = ta;
@@ -62,10 +68,16 @@ struct CornerLanes {
 
 /// A block's texels, at one level or two.
 struct FetchedTexels {
-    CornerLanes first{}, second{};
-    alignas(64) std::uint32_t weight[block_pixels] = {};  ///< of `second`, in 256ths
-    std::uint32_t mixed = 0;                              ///< lanes between two levels
+    CornerLanes first, second;                       ///< `second` if lanes are mixed
+    alignas(64) std::uint32_t weight[block_pixels];  ///< of `second`, in 256ths
+    std::uint32_t mixed = 0;                         ///< lanes between two levels
 
+    HWY_INLINE FetchedTexels() {
+        const D32 d;
+        first.clear();
+        for (std::size_t i = 0; i < block_pixels; i += lanes32)
+            hn::Store(hn::Zero(d), d, weight + i);
+    }
     HWY_INLINE void put_white(std::size_t lane) { first.put_one(lane, ~0u); }
 
     /// Calls fetch(lane, level, is linear, corners) for the levels of each of `lanes`; `rho` is null
@@ -81,6 +93,7 @@ struct FetchedTexels {
             fetch(lane, choice.level, linear, first);
             weight[lane] = choice.weight;
             if (choice.weight == 0) continue;
+            if (mixed == 0) second.clear();
             mixed |= 1u << lane;
             fetch(lane, choice.next, linear, second);
         }

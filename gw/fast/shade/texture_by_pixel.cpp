@@ -161,16 +161,19 @@ public:
     void begin(std::size_t lane, int i, int j) {
         if (!from_.frame) return void(texel_[lane] = level_.index(i, j));
         place_[lane] = from_.frame->depth_place(i, j);
-        prefetch(&place_[lane].group->one_depth, 1);
+        const Frame::DepthPlace& at = place_[lane];
+        prefetch(&at.group->one_depth, 1);
+        prefetch(&at.group->depth[at.in_group], 1);
+        prefetch(&from_.frame->depth_planes(at), 1);
     }
-    /// Of a uniform block only the one value is needed.
+    /// Of a uniform block only the one value or the one plane is needed.
     void find(std::size_t lane) {
         if (!from_.frame) return;
         const Frame::DepthPlace& at = place_[lane];
-        const std::uint32_t uniform = at.group->one_depth | at.group->one_plane;
-        prefetch((uniform >> at.in_group & 1) != 0 ? &at.group->depth[at.in_group]
-                                                   : &at.block->value[at.lane],
-                 1);
+        if (at.group->one_plane >> at.in_group & 1)
+            prefetch(&from_.frame->depth_planes(at)[at.group->depth[at.in_group]], 1);
+        else if (!(at.group->one_depth >> at.in_group & 1))
+            prefetch(&at.block->value[at.lane], 1);
     }
     std::uint32_t end(std::size_t lane) const {
         if (from_.frame) return from_.frame->depth_at(place_[lane]);

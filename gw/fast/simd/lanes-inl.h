@@ -51,6 +51,8 @@ HWY_INLINE std::uint32_t bits_of(D d, hn::Mask<D> m, std::size_t lanes) {
                          : size == 2 ? wasm_i16x8_bitmask(m.raw)
                          : size == 4 ? wasm_i32x4_bitmask(m.raw)
                                      : wasm_i64x2_bitmask(m.raw));
+#elif HWY_TARGET <= HWY_AVX3  // not by way of memory, where two bytes that are read as four wait
+    bits = std::uint64_t{m.raw};
 #else
     hn::StoreMaskBits(d, m, reinterpret_cast<std::uint8_t*>(&bits));
 #endif
