@@ -12,11 +12,13 @@
 namespace gw::inspect {
 namespace {
 
-/// Only the machine's input: the same drawing has the same digest under any name.
-Digest commands_content(Recording recording) {
-    recording.producer = recording.scene = recording.renderer = "";
-    recording.sets.clear();
-    return digest_of_bytes(encode(recording));
+/// Only the machine's input: the same drawing has the same digest under any name, from any build of
+/// its program.
+Digest commands_content(const Recording& recording) {
+    return digest_of_bytes(encode({.profile = recording.profile,
+                                   .width = recording.width,
+                                   .height = recording.height,
+                                   .lists = recording.lists}));
 }
 
 bool makes_fragments(const Command& command) {

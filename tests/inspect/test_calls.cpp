@@ -217,4 +217,21 @@ TEST(Calls, ThatNameWhatThereIsNotAreRefused) {
               "list 0: calls that are not in the order of their commands");
 }
 
+TEST(Calls, AndAllElseThatNoMachineReadsAreNotInTheDigestOfCommands) {
+    const Recording recording = three_passes();
+    const auto digest_after = [&](auto change) {
+        Recording other = recording;
+        change(other);
+        return replayed_manifest(other, maker_of("fast", 1), nullptr).commands_hash;
+    };
+    const Digest digest = digest_after([](Recording&) {});
+    EXPECT_EQ(digest_after([](Recording& r) { r.producer = r.scene = r.renderer = "o"; }), digest);
+    EXPECT_EQ(digest_after([](Recording& r) { r.sets.clear(); }), digest);
+    EXPECT_EQ(digest_after([](Recording& r) { r.calls = {some_calls()}; }), digest);
+    const ColorMap map{.bits = 1, .bits_in_r = 1, .entries = {1, 2}};
+    EXPECT_EQ(digest_after([&](Recording& r) { r.color_maps = {map}; }), digest);
+    EXPECT_NE(digest_after([](Recording& r) { r.lists[0].add(gw::Clear{}); }), digest);
+    EXPECT_NE(digest_after([](Recording& r) { ++r.width; }), digest);
+}
+
 }  // namespace gw::inspect
