@@ -237,6 +237,13 @@ void Drawable::flush(Cause cause) {
     frame_.reuse(std::move(commands));
 }
 
+const std::map<std::uint32_t, Readback>& Drawable::execute_reads(const CommandList& list) {
+    settle();
+    machine_->execute(list);
+    machine_->reset_passes();
+    return machine_->readbacks();
+}
+
 bool Drawable::finish_execution(Cause cause) {
     const auto lock = exclusive();
     const bool ends = front_drawn_ || is_off_screen();

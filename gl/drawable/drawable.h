@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -124,6 +125,8 @@ protected:
     virtual std::optional<FrameTarget> frame_target() { return std::nullopt; }
     /// Called before the target of frame_target() goes away.
     void end_background() noexcept;
+    /// Executes a list that belongs to no frame; it changes nothing.
+    const std::map<std::uint32_t, Readback>& execute_reads(const CommandList& list);
     /// Waits until all swapped frames are executed and, if possible, shown. Rethrows their errors.
     void settle();
 

@@ -57,6 +57,7 @@ std::uint32_t OffScreen::make(std::span<const ImagePlane> planes, int width, int
     const auto free = std::ranges::find(surfaces_, 0, &Surface::width);
     const auto number = std::uint32_t(free - surfaces_.begin()) + 1;
     if (number > max_surfaces) throw std::bad_alloc();
+    add(MakeSurface{number, made});  // first: a recording that begins here does not know it yet
     if (free == surfaces_.end()) {
         surfaces_.push_back(made);
         owners_.emplace_back();
@@ -64,7 +65,6 @@ std::uint32_t OffScreen::make(std::span<const ImagePlane> planes, int width, int
         *free = made;
     }
     ++made_;
-    add(MakeSurface{number, made});
     return number;
 }
 
@@ -180,6 +180,42 @@ Readback OffScreen::read_plane(const ImagePlane& p, Cause cause) {
     const auto lock = exclusive();
     use(surface_of(p, false));
     return read(p.plane, {0, 0, p.image->width, p.image->height}, cause);
+}
+
+std::vector<Readback> OffScreen::read_surface(std::uint32_t number) {
+    const auto lock = exclusive();
+    Surface surface = surfaces_[number - 1];
+    CommandList list;
+    const std::uint32_t spare = surfaces_.size() < max_surfaces ? surfaces_.size() + 1 : 0;
+    const bool has_samples = std::exchange(surface.samples, 0) > 0;
+    if (has_samples) {
+        if (spare == 0) return {};
+        const Rect all{0, 0, surface.width, surface.height};
+        list.add(SetState{gw::State()});
+        list.add(MakeSurface{spare, surface});
+        list.add(UseSurface{spare});
+        list.add(
+            Blit{.from_surface = number, .planes = surface.planes, .source = all, .target = all});
+    } else {
+        list.add(UseSurface{number});
+    }
+    std::uint32_t key = 0;
+    for (int y = 0; y < surface.height; y += max_window_size)
+        for (int x = 0; x < surface.width; x += max_window_size) {
+            const Rect part{x, y, std::min(surface.width - x, max_window_size),
+                            std::min(surface.height - y, max_window_size)};
+            for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil})
+                if (surface.has(plane)) list.add(Read{key++, plane, part});
+        }
+    list.add(UseSurface{in_use_});
+    if (has_samples) {
+        list.add(MakeSurface{spare, {}});
+        list.add(SetState{*state()});
+    }
+    const auto& reads = execute_reads(list);
+    std::vector<Readback> out;
+    for (std::uint32_t read = 0; read < key; ++read) out.push_back(reads.at(read));
+    return out;
 }
 
 }  // namespace gw::gl

@@ -67,8 +67,11 @@ public:
     /// Whether a framebuffer might find no surface any more.
     bool is_full();
 
-    /// The surfaces that were made, by number from 1.
+    /// The surfaces that were made, by number from 1; those with sides of 0 are gone.
     const std::vector<Surface>& surfaces() const { return surfaces_; }
+    /// All values of a surface, for no frame: of a pixel with samples, their mean and the first one's
+    /// depth and stencil value. Precondition: a state is set, and the frame has no commands.
+    std::vector<Readback> read_surface(std::uint32_t number);
 
 private:
     friend struct SurfaceImage;

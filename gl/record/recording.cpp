@@ -60,30 +60,36 @@ void Recording::attempt(Write write) {
     }
 }
 
-/// Surfaces that were drawn to before the recording begins are not in it.
-bool Recording::is_left_out(const Drawable& drawable) {
-    const auto* const machine = dynamic_cast<const OffScreen*>(&drawable);
-    if (machine == nullptr || machine->surfaces().empty()) return false;
-    if (left_out_.insert(drawable.name()).second)
+CommandList Recording::drawn_before(Drawable& drawable) const {
+    const std::string pass = "before frame " + std::to_string(drawable.frame());
+    auto* const machine = dynamic_cast<OffScreen*>(&drawable);
+    if (machine == nullptr)
+        return restoring_list(drawable.planes(), drawable.profile(), pass, *drawable.state());
+    std::map<std::uint32_t, SurfaceValues> surfaces;
+    std::uint32_t number = 0;
+    bool has_samples = false;
+    for (const Surface& surface : machine->surfaces()) {
+        ++number;
+        if (surface.width == 0) continue;
+        surfaces[number] = {surface, machine->read_surface(number)};
+        has_samples |= surface.samples > 0;
+    }
+    if (has_samples)
         std::fprintf(
             stderr,
-            "gw: warning: '%s' is not recorded: it has drawn before frame %llu; expected a "
-            "recording from frame 0 on\n",
-            drawable.name().c_str(), static_cast<unsigned long long>(frames_.first));
-    return true;
+            "gw: warning: the recording of '%s' begins with frame %llu, with one value for "
+            "all samples of a pixel; expected a recording from frame 0 on, or a program "
+            "that clears its framebuffers in each frame\n",
+            drawable.name().c_str(), static_cast<unsigned long long>(drawable.frame()));
+    return restoring_list(surfaces, pass, machine->in_use(), *drawable.state());
 }
 
 void Recording::begin_window(Drawable& drawable) {
-    if (is_left_out(drawable)) return;
     writer_.open(drawable.name(), drawable.width(), drawable.height());
     windows_.insert(drawable.name());
     color_maps_.erase(drawable.name());
     if (drawable.state() == nullptr) return;  // nothing was drawn before
-    writer_.add(
-        drawable.name(),
-        restoring_list(drawable.planes(), drawable.profile(),
-                       "before frame " + std::to_string(drawable.frame()), *drawable.state()),
-        {}, new_color_map(drawable));
+    writer_.add(drawable.name(), drawn_before(drawable), {}, new_color_map(drawable));
 }
 
 std::optional<inspect::ColorMap> Recording::new_color_map(const Drawable& drawable) {

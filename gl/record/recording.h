@@ -40,7 +40,8 @@ private:
     template <class Write>
     void attempt(Write write);
     void begin_window(Drawable& drawable);
-    bool is_left_out(const Drawable& drawable);
+    /// What the drawable has drawn before this frame.
+    CommandList drawn_before(Drawable& drawable) const;
     /// How the window shows its colours, if it differs from what the recording has.
     std::optional<inspect::ColorMap> new_color_map(const Drawable& drawable);
 
@@ -49,8 +50,7 @@ private:
     std::ofstream out_;
     inspect::StreamWriter writer_;
     CallNamer namer_;
-    std::set<std::string> windows_;   ///< that are open in the recording
-    std::set<std::string> left_out_;  ///< not recorded
+    std::set<std::string> windows_;  ///< that are open in the recording
     std::map<std::string, inspect::ColorMap>
         color_maps_;  ///< of windows_, as the recording has them
     bool failed_ = false;

@@ -91,4 +91,23 @@ CommandList restoring_list(const Planes& planes, const Profile& profile, const s
     return std::move(restorer.list);
 }
 
+CommandList restoring_list(const std::map<std::uint32_t, SurfaceValues>& surfaces,
+                           const std::string& pass, std::uint32_t in_use, const gw::State& state) {
+    CommandList list;
+    list.add(BeginPass{pass});
+    list.add(SetState{gw::State()});
+    for (const auto& [number, from] : surfaces) {
+        list.add(MakeSurface{number, from.surface});
+        list.add(UseSurface{number});
+        for (const Readback& part : from.parts)
+            list.add(WritePixels{.rect = part.rect,
+                                 .plane = part.plane,
+                                 .colors = part.color,
+                                 .values = {part.values.begin(), part.values.end()}});
+    }
+    list.add(UseSurface{in_use});
+    list.add(SetState{state});
+    return list;
+}
+
 }  // namespace gw::gl
