@@ -1,5 +1,6 @@
 # gw_library, gw_command, gw_test: a folder's sources as one target. Each folder's CMakeLists.txt
 # finds its packages.
+include_guard(GLOBAL)
 
 # With precompiled headers, g++ -O0 takes <immintrin.h> for that of optimized code, and refuses
 # Highway's AVX-512.

@@ -1,5 +1,5 @@
-// A program in the browser is one module: no other library could have a context. Compiled by
-// Emscripten alone.
+// Where a process has one library of OpenGL of ours, no other could have a context: in the browser,
+// where a program is one module, and on Windows. Compiled there alone.
 #include "gl/context/current.h"
 
 namespace gw::gl {

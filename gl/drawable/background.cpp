@@ -1,5 +1,7 @@
 #include "gl/drawable/background.h"
 
+#include "gl/drawable/program_end.h"
+
 #include "gw/base/blocked_signals.h"
 #include "gw/base/parallel.h"
 
@@ -113,6 +115,7 @@ Background::Living& Background::living() {
 /// After the program's exit handlers. Threads of the program may draw until the process is gone.
 const struct Background::AtExit {
     ~AtExit() {
+        if (other_threads_are_gone) return;
         Background::living().finish_all();
         Background::living().await_uses();
         end_parallel_loops();
@@ -130,7 +133,9 @@ Background::Use::~Use() {
     --own_uses;
 }
 
-bool Background::is_available() { return !living().is_ending && !living().is_child(); }
+bool Background::is_available() {
+    return !other_threads_are_gone && !living().is_ending && !living().is_child();
+}
 
 Background::Background() {
     {

@@ -22,7 +22,8 @@ public:
     /// Returns when all work is done. Rethrows its errors.
     void wait();
 
-    /// False once the program is ending, and in a child process.
+    /// False once the program is ending, in a child process, and on Windows, where its thread would
+    /// be gone before its work is done.
     static bool is_available();
 
     /// A use of Xlib, which ends with the program: false if the program is ending. Other threads may

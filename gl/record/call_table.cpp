@@ -1,9 +1,7 @@
 #include "gl/record/call_table.h"
 
-#include <dlfcn.h>
-#include <fmt/format.h>
+#include "gl/record/code_place.h"
 
-#include <filesystem>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -14,19 +12,6 @@ namespace gw::gl {
 namespace {
 
 constexpr std::size_t most_sources = 1 << 14;
-
-std::string resolved(const void* address) {
-    Dl_info found{};
-    if (::dladdr(address, &found) == 0 || found.dli_fname == nullptr)
-        return fmt::format("{}", address);
-    const std::string module = std::filesystem::path(found.dli_fname).filename();
-    const auto from = [&](const void* base) {
-        return static_cast<const char*>(address) - static_cast<const char*>(base);
-    };
-    if (found.dli_sname != nullptr)
-        return fmt::format("{}+{:#x} in {}", found.dli_sname, from(found.dli_saddr), module);
-    return fmt::format("{}+{:#x}", module, from(found.dli_fbase));
-}
 
 /// Makes a table in which each name and each list stands once.
 class TableMaker {
@@ -75,7 +60,7 @@ private:
 const std::string& CallNamer::source_name(const void* address) {
     if (sources_.size() > most_sources) sources_.clear();
     const auto [found, is_new] = sources_.try_emplace(address);
-    if (is_new) found->second = resolved(address);
+    if (is_new) found->second = code_place(address);
     return found->second;
 }
 

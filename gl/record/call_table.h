@@ -16,7 +16,7 @@ public:
     inspect::CallTable table_of(std::span<const CallRun> runs);
 
 private:
-    /// "main+0x1f in gears", if the program exports the name; else "gears+0x1a2f".
+    /// code_place(), once for each address.
     const std::string& source_name(const void* address);
 
     std::map<const void*, std::string> sources_;  ///< has a bound

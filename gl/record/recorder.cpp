@@ -1,6 +1,7 @@
 #include "gl/record/recorder.h"
 
 #include "gl/drawable/drawable.h"
+#include "gl/drawable/program_end.h"
 #include "gl/drawable/settings.h"
 #include "gl/record/recording.h"
 #include "gl/record/screenshot.h"
@@ -49,8 +50,9 @@ public:
     /// stays as it is, cut short.
     void end() {
         if (is_child()) return;
-        const std::lock_guard lock(mutex_);
-        if (!tells_) listeners_.clear();
+        std::unique_lock lock(mutex_, std::defer_lock);
+        if (!other_threads_are_gone) lock.lock();
+        if ((lock.owns_lock() || lock.try_lock()) && !tells_) listeners_.clear();
     }
 
 private:

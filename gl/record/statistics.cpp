@@ -16,6 +16,12 @@ namespace gw::gl {
 
 namespace {
 
+#ifdef _WIN32
+constexpr int own_bytes = O_BINARY | O_NOINHERIT;
+#else
+constexpr int own_bytes = O_CLOEXEC;
+#endif
+
 constexpr const char* cause_names[cause_count] = {"",
                                                   "flush",
                                                   "pixels read",
@@ -50,7 +56,7 @@ void Spread::add(double value) {
 }
 
 Statistics::Statistics(const std::string& file, const FrameRange& frames)
-    : file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)), range_(frames) {
+    : file_(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | own_bytes, 0666)), range_(frames) {
     if (file_ < 0)
         throw Error(std::string("expected a file that can be written (") + std::strerror(errno) +
                     ")");
@@ -119,7 +125,8 @@ std::string Statistics::text() const {
 /// A reader may find the text of two frames mixed while the program runs, never afterwards.
 void Statistics::write() const {
     const std::string result = text();
-    if (::pwrite(file_, result.data(), result.size(), 0) == ssize_t(result.size()))
+    ::lseek(file_, 0, SEEK_SET);
+    if (::write(file_, result.data(), unsigned(result.size())) == ssize_t(result.size()))
         static_cast<void>(::ftruncate(file_, off_t(result.size())) == 0);
 }
 

@@ -3,9 +3,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 namespace gw::gl {
 
@@ -25,10 +25,11 @@ std::string write_whole_file(const std::string& file, std::string_view bytes) {
     out.write(bytes.data(), std::streamsize(bytes.size()));
     out.close();
     if (out && replaces) fs::permissions(part, status.permissions(), ignored);
-    if (out && (direct || ::rename(part.c_str(), target.c_str()) == 0)) return {};
-    const std::string reason = std::strerror(errno);
+    std::error_code failure(errno, std::generic_category());
+    if (out && !direct) fs::rename(part, target, failure);
+    if (out && (direct || !failure)) return {};
     if (!direct) fs::remove(part, ignored);
-    return reason;
+    return failure.message();
 }
 
 }  // namespace gw::gl

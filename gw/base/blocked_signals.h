@@ -6,7 +6,15 @@
 
 namespace gw {
 
-/// While it lives, the calling thread takes no signals. Threads that it starts never do.
+/// While it lives, the calling thread takes no signals. Threads that it starts never do. Windows
+/// sends none to a thread.
+#ifdef _WIN32
+class BlockedSignals {
+public:
+    BlockedSignals() {}
+    ~BlockedSignals() {}
+};
+#else
 class BlockedSignals {
 public:
     BlockedSignals() {
@@ -21,5 +29,6 @@ public:
 private:
     sigset_t before_;
 };
+#endif
 
 }  // namespace gw

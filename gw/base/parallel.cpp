@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
+#include <condition_variable>
 #include <exception>
 #include <future>
 #include <limits>
@@ -71,14 +72,20 @@ void serial_for(std::size_t count, const std::function<void(std::size_t, int)>& 
 int count_threads(int wanted) {
     std::promise<void> end;
     const std::shared_future<void> ended = end.get_future();
-    std::atomic<int> ready{0};
-    const auto body = [&ready, ended] {
+    // Not std::atomic::wait: where the system has no futex, g++ 12's may sleep for ever.
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::size_t ready = 0;
+    const auto body = [&, ended] {
         // The C library reserves address space at a thread's first allocation.
         char* const first = new (std::nothrow) char[1000];
         if (first) *static_cast<volatile char*>(first) = 0;
         delete[] first;
-        ready += 1;
-        ready.notify_one();
+        {
+            const std::lock_guard lock(mutex);
+            ++ready;
+        }
+        changed.notify_one();
         ended.wait();
     };
     const BlockedSignals blocked;
@@ -86,9 +93,9 @@ int count_threads(int wanted) {
     started.reserve(std::size_t(wanted));
     try {
         while (int(started.size()) < wanted - 1) {
-            const int before = ready;
             started.emplace_back(body);
-            ready.wait(before);
+            std::unique_lock lock(mutex);
+            changed.wait(lock, [&] { return ready == started.size(); });
         }
     } catch (const std::exception&) {
         // A limit of the system is reached: of threads or of memory.

@@ -1,29 +1,11 @@
 # For programs of OpenGL and IRIS GL in C: lib/libOSMesa.a and lib/libgl.a, which
 # scripts/browser-program links. Target: programs.
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(made ${PROJECT_BINARY_DIR}/generated)
 set(gl_made ${made}/gl)
 set(irisgl_made ${made}/irisgl)
-# made_doors(API OUTPUT TABLE...): its sources and headers, from its tables of functions.
-function(made_doors api output)
-    set(folder ${root}/${api}/entry)
-    list(TRANSFORM output PREPEND ${made}/${api}/)
-    list(TRANSFORM ARGN PREPEND ${folder}/)
-    file(MAKE_DIRECTORY ${made}/${api}/include/gl)
-    add_custom_command(OUTPUT ${output}
-        COMMAND ${Python3_EXECUTABLE} ${folder}/generate.py ${ARGN} ${made}/${api}
-        DEPENDS ${folder}/generate.py ${ARGN} VERBATIM)
-    add_custom_target(made_${api} DEPENDS ${output})
-endfunction()
-made_doors(gl "entry_points.cpp;linked.cpp" functions.txt linked.txt)
-made_doors(irisgl entry_points.cpp functions.txt)
-
-set(prices ${root}/inspect/report/prices/vgx.toml)
-set(generate_prices ${root}/gl/record/generate_prices.py)
-add_custom_command(OUTPUT ${gl_made}/vgx_prices.h
-    COMMAND ${Python3_EXECUTABLE} ${generate_prices} ${prices} ${gl_made}/vgx_prices.h
-    DEPENDS ${generate_prices} ${prices} VERBATIM)
-add_custom_target(made_prices DEPENDS ${gl_made}/vgx_prices.h)
+gw_made_doors(${root} gl ${made} "entry_points.cpp;linked.cpp" functions.txt linked.txt)
+gw_made_doors(${root} irisgl ${made} entry_points.cpp functions.txt)
+gw_made_prices(${root} ${made})
 
 # One library, no processes, no windows of X11.
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/gl/*.cpp)
