@@ -149,7 +149,7 @@ public:
         for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(origin_, 0);
         for (std::size_t i = 0; i < holders_.objects.size() && i < scene.objects.size(); ++i)
             scene.objects[i].world_from_object =
-                visible(nodes[holders_.objects[i]].world_from_node);
+                visible(nodes[holders_.objects[i]].world_from_node * holders_.node_from_object[i]);
         for (const GltfShaped& shaped : holders_.shaped)
             if (shaped.object < scene.objects.size())
                 reshape(scene.objects[shaped.object], shaped, nodes, time);

@@ -12,6 +12,7 @@ namespace gw::scene {
 /// The nodes that hold what a scene has: indices into the list of placed_nodes.
 struct GltfHolders {
     std::vector<std::size_t> objects, lights;  ///< in the scene's order
+    std::vector<dmat4> node_from_object;       ///< of each object
     std::optional<std::size_t> camera;
     std::vector<GltfShaped> shaped;  ///< objects whose vertices move
 };

@@ -135,6 +135,44 @@ std::vector<std::size_t> places_of(const GltfDocument& document,
     return places;
 }
 
+std::vector<dmat4> instances_of(const GltfDocument& document, const JsonValue& node,
+                                std::size_t most) {
+    const auto extensions = node.find("extensions");
+    const auto extension = extensions ? extensions->find("EXT_mesh_gpu_instancing") : std::nullopt;
+    if (!extension) return {dmat4(1)};
+    const JsonValue attributes = extension->at("attributes");
+    std::vector<GltfPlace> places;
+    const auto read = [&](const char* name, const char* type, const auto& set) {
+        const auto value = attributes.find(name);
+        if (!value) return;
+        const std::size_t count = count_of(document, *value);
+        if (places.empty()) {
+            if (count > most)
+                value->fail("has " + std::to_string(count) + " elements; expected at most " +
+                            std::to_string(most));
+            places.resize(count);
+        }
+        if (count != places.size())
+            value->fail("has " + std::to_string(count) + " elements; expected " +
+                        std::to_string(places.size()) + ", as the others have");
+        const Elements<float> numbers = read_floats(document, *value, {type});
+        for (std::size_t i = 0; i < count; ++i) set(places[i], numbers[i]);
+    };
+    read("TRANSLATION", "VEC3", [](GltfPlace& place, const float* v) {
+        place.translation = {v[0], v[1], v[2]};
+    });
+    read("ROTATION", "VEC4", [](GltfPlace& place, const float* v) {
+        const dvec4 q(v[0], v[1], v[2], v[3]);
+        if (const double size = std::sqrt(dot4(q, q)); size > 0) place.rotation = q / size;
+    });
+    read("SCALE", "VEC3", [](GltfPlace& place, const float* v) {
+        place.scale = {v[0], v[1], v[2]};
+    });
+    std::vector<dmat4> instances;
+    for (const GltfPlace& place : places) instances.push_back(place.parent_from_node());
+    return instances;
+}
+
 GltfSkin read_gltf_skin(const GltfDocument& document, const JsonValue& index,
                         const std::vector<std::size_t>& places) {
     const JsonValue json = document.element("skins", index), joints = json.at("joints");

@@ -37,6 +37,11 @@ std::vector<GltfNode> placed_nodes(const GltfDocument& document);
 std::vector<std::size_t> places_of(const GltfDocument& document,
                                    const std::vector<GltfNode>& nodes);
 
+/// The places in a node of the instances of its mesh (EXT_mesh_gpu_instancing); of a node without
+/// the extension one, its own. Throws Error if there are more than `most`.
+std::vector<dmat4> instances_of(const GltfDocument& document, const JsonValue& node,
+                                std::size_t most);
+
 struct GltfSkin {
     std::vector<std::size_t> joints;     ///< into the list of placed_nodes
     std::vector<dmat4> joint_from_rest;  ///< of each joint

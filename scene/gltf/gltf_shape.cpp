@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace gw::scene {
 namespace {
@@ -106,6 +107,41 @@ TextureRef color_texture(const GltfMesh& mesh) {
             }
     }
     return make_texture("vertex colours", int(patches.width()), int(patches.height()), rgba);
+}
+
+std::vector<GltfMesh> by_color(GltfMesh mesh) {
+    constexpr std::size_t most_colors = 64, most_vertices = std::size_t{1} << 24;
+    constexpr float most_difference = 1.0f / 16;
+    struct Group {
+        std::vector<std::uint32_t> corners;
+        bool varies = false;
+    };
+    std::map<std::array<float, 3>, Group> groups;
+    for (std::size_t i = 0; !mesh.colors.empty() && i < triangle_count(mesh.mesh); ++i) {
+        const std::array<std::uint32_t, 3> at = triangle_of(mesh.mesh, i);
+        const vec4 mean = (mesh.colors[at[0]] + mesh.colors[at[1]] + mesh.colors[at[2]]) / 3.0f;
+        std::array<float, 3> color{};
+        for (int k = 0; k < 3; ++k)
+            color[std::size_t(k)] = std::round(std::clamp(mean[k], 0.0f, 1.0f) * 255) / 255;
+        Group& group = groups[color];
+        group.corners.insert(group.corners.end(), at.begin(), at.end());
+        for (const std::uint32_t corner : at)
+            for (int k = 0; k < 3; ++k)
+                group.varies |= std::abs(mesh.colors[corner][k] - mean[k]) > most_difference;
+        if (groups.size() > most_colors ||
+            groups.size() * mesh.mesh.positions.size() > most_vertices)
+            return {std::move(mesh)};
+    }
+    std::vector<GltfMesh> meshes;
+    for (auto& [color, group] : groups) {
+        GltfMesh& one = meshes.emplace_back(mesh);
+        one.mesh.primitive = Primitive::Triangles;
+        one.mesh.indices = std::move(group.corners);
+        if (!group.varies) one.colors.clear();
+        one.mean_color = vec4(color[0], color[1], color[2], mesh.mean_color->w);
+    }
+    if (meshes.empty()) meshes.push_back(std::move(mesh));
+    return meshes;
 }
 
 std::optional<MeshData> moved(const GltfMesh& mesh, std::span<const double> weights,

@@ -24,6 +24,7 @@ namespace {
 
 /// Extensions that are read, or that change nothing here.
 constexpr std::array known_extensions = std::to_array<std::string_view>({
+    "EXT_mesh_gpu_instancing",
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
@@ -99,13 +100,23 @@ private:
             parts != parts_.end()
                 ? parts->second
                 : parts_.emplace(mesh.place(), read_parts(mesh, name)).first->second;
-        std::shared_ptr<const GltfSkin> skin;
-        if (const auto skin_index = json.find("skin"))
-            skin =
-                std::make_shared<const GltfSkin>(read_gltf_skin(document_, *skin_index, places_));
+        const auto skin_index = json.find("skin");
+        const std::shared_ptr<const GltfSkin> skin = skin_index ? skin_of(*skin_index) : nullptr;
         const std::vector<double> weights = weights_of(json, mesh);
-        for (const Part& part : found)
-            if (part.mesh) add_part(node, json, name, part, skin, weights);
+        const std::vector<dmat4> instances = instances_of(document_, json, most_gltf_objects);
+        if (instances.size() > 1) count_numbers(json, instances.size());
+        for (const dmat4& instance : instances)
+            for (const Part& part : found)
+                if (part.mesh)
+                    add_part(node.world_from_node * instance, instance, json, name, part, skin,
+                             weights);
+    }
+
+    std::shared_ptr<const GltfSkin> skin_of(const JsonValue& index) {
+        std::shared_ptr<const GltfSkin>& skin = skins_[document_.element("skins", index).place()];
+        if (!skin)
+            skin = std::make_shared<const GltfSkin>(read_gltf_skin(document_, index, places_));
+        return skin;
     }
 
     static std::vector<double> weights_of(const JsonValue& node, const JsonValue& mesh) {
@@ -117,14 +128,12 @@ private:
         return weights;
     }
 
-    void add_part(const GltfNode& node, const JsonValue& json, const std::string& name,
-                  const Part& part, std::shared_ptr<const GltfSkin> skin,
+    void add_part(const dmat4& world, const dmat4& node_from_object, const JsonValue& json,
+                  const std::string& name, const Part& part, std::shared_ptr<const GltfSkin> skin,
                   const std::vector<double>& weights) {
         Scene& scene = builder_.scene;
-        Object object{.name = name,
-                      .mesh = part.mesh,
-                      .material = part.material,
-                      .world_from_object = node.world_from_node};
+        Object object{
+            .name = name, .mesh = part.mesh, .material = part.material, .world_from_object = world};
         if (part.shape && part.shape->influences == 0) skin = nullptr;
         GltfShaped shaped{scene.objects.size(), place_, part.shape, skin, weights};
         if (part.shape) {
@@ -143,6 +152,7 @@ private:
                       " objects; expected fewer");
         if (part.shape) holders_.shaped.push_back(std::move(shaped));
         holders_.objects.push_back(place_);
+        holders_.node_from_object.push_back(node_from_object);
         scene.objects.push_back(std::move(object));
     }
 
@@ -157,7 +167,8 @@ private:
     MeshRef shaped_mesh(const JsonValue& node, const GltfShaped& shaped, const Part& part) {
         const auto is_0 = [](double weight) { return weight == 0; };
         if (!shaped.skin && std::ranges::all_of(shaped.weights, is_0)) return part.mesh;
-        count_numbers(node, part.mesh->vertex_count());
+        const std::size_t joints = shaped.skin ? shaped.skin->joints.size() : 0;
+        count_numbers(node, part.mesh->vertex_count() + joints);
         std::optional<MeshData> mesh = posed(shaped, nodes_, part.mesh->data().polygon_ids);
         if (!mesh) node.fail("has a vertex beyond 1e18, its skin included; expected less");
         return make_mesh(*std::move(mesh));
@@ -167,17 +178,18 @@ private:
         std::vector<Part> parts;
         const JsonValue primitives = mesh.at("primitives");
         for (std::size_t i = 0; i < primitives.size(); ++i)
-            parts.push_back(read_part(primitives[i], name));
+            read_primitive_parts(primitives[i], name, parts);
         return parts;
     }
 
-    Part read_part(const JsonValue& primitive, const std::string& name) {
+    void read_primitive_parts(const JsonValue& primitive, const std::string& name,
+                              std::vector<Part>& parts) {
         count_numbers(primitive, numbers_of_primitive(document_, primitive));
         const auto material = primitive.find("material");
         const GltfMaterial& plain = material_of(material, std::nullopt);
         const std::size_t set = plain.texcoord_set;
         GltfMesh read = read_primitive(document_, primitive, set, name);
-        if (read.mesh.positions.empty()) return {};
+        if (read.mesh.positions.empty()) return;
         const bool has_map = has_maps(plain.material);
         if (has_map && read.mesh.texcoords.empty())
             document_.warn("no texcoords", "object '" + printable(name) +
@@ -185,6 +197,19 @@ private:
                                                std::to_string(set) + " for its texture");
         if (plain.turn)
             for (vec2& st : read.mesh.texcoords) st = plain.turn->moved(st);
+        const std::size_t vertices = read.mesh.positions.size();
+        std::vector<GltfMesh> meshes;
+        if (has_map)
+            meshes = by_color(std::move(read));
+        else
+            meshes.push_back(std::move(read));
+        if (meshes.size() > 1) count_numbers(primitive, meshes.size() * vertices);
+        for (GltfMesh& mesh : meshes)
+            parts.push_back(part_of(primitive, material, has_map, std::move(mesh), name));
+    }
+
+    Part part_of(const JsonValue& primitive, const std::optional<JsonValue>& material, bool has_map,
+                 GltfMesh read, const std::string& name) {
         const GltfMaterial& painted = painted_material(primitive, material, has_map, read, name);
         const std::size_t index = builder_.index_of(painted.material);
         if (painted.luminance != dvec3(0)) luminances_[index] = painted.luminance;
@@ -292,6 +317,7 @@ private:
     GltfDocument document_;
     SceneBuilder builder_;
     std::map<std::string, std::vector<Part>> parts_;
+    std::map<std::string, std::shared_ptr<const GltfSkin>> skins_;
     std::list<GltfMaterial> list_;
     std::map<std::pair<std::string, std::array<float, 4>>, const GltfMaterial*> materials_;
     std::vector<GltfNode> nodes_;

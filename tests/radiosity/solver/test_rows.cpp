@@ -98,12 +98,13 @@ TEST(Ranks, RowsComeBackFromTheirBytes) {
     EXPECT_EQ(after.hemicubes, 3);
     ASSERT_EQ(after.rows.size(), before.rows.size());
     for (std::size_t i = 0; i < before.rows.size(); ++i) {
-        std::vector<std::pair<std::uint32_t, double>> lists[2];
-        for (const auto& [row, list] :
-             {std::pair{&before.rows[i], &lists[0]}, std::pair{&after.rows[i], &lists[1]}})
-            row->for_each([&](std::uint32_t t, double factor) { list->emplace_back(t, factor); });
-        EXPECT_FALSE(lists[0].empty());
-        EXPECT_EQ(lists[0], lists[1]);
+        const auto list_of = [](const CompactRow& row) {
+            std::vector<std::pair<std::uint32_t, double>> list;
+            row.for_each([&](std::uint32_t t, double factor) { list.emplace_back(t, factor); });
+            return list;
+        };
+        EXPECT_FALSE(list_of(before.rows[i]).empty());
+        EXPECT_EQ(list_of(before.rows[i]), list_of(after.rows[i]));
         EXPECT_EQ(before.rows[i].backs(), after.rows[i].backs());
         EXPECT_EQ(before.rows[i].escaped(), after.rows[i].escaped());
         EXPECT_EQ(before.rows[i].sum(), after.rows[i].sum());

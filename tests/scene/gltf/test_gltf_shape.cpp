@@ -188,6 +188,38 @@ TEST_F(GltfShape, BadSkinsAreOneErrorEach) {
               "m.gltf: nodes[0] has a vertex beyond 1e18, its skin included; expected less");
 }
 
+TEST_F(GltfShape, InstancesOfOneNodeMoveWithIt) {
+    Accessors a;
+    const std::string p = std::to_string(a.vec3s(corners)),
+                      t = std::to_string(a.vec3s({1, 0, 0, 0, 7, 0})),
+                      r = std::to_string(
+                          a.add<float>({0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f}, 5126, "VEC4")),
+                      s = std::to_string(a.vec3s({2, 2, 2, 1, 1, 1})),
+                      times = std::to_string(a.add<float>({0, 1}, 5126, "SCALAR")),
+                      way = std::to_string(a.vec3s({0, 0, 5, 0, 0, 9}));
+    const std::string text = a.file(
+        R"("extensionsRequired": ["EXT_mesh_gpu_instancing"], "extensionsUsed": ["EXT_mesh_gpu_instancing"],
+"animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}],
+"samplers": [{"input": )" +
+        times + ", \"output\": " + way +
+        R"(}]}], "nodes": [{"mesh": 0, "translation": [0, 0, 5], "extensions": {"EXT_mesh_gpu_instancing": {"attributes":
+{"TRANSLATION": )" +
+        t + ", \"ROTATION\": " + r + ", \"SCALE\": " + s +
+        R"(}}}}], "meshes": [{"primitives": [{"attributes": {"POSITION": )" + p + "}}]}]");
+    SceneFile file = read(text);
+    ASSERT_EQ(file.scene.objects.size(), 2u);
+    EXPECT_EQ(file.scene.objects[0].mesh, file.scene.objects[1].mesh);
+    expect_near(vertex(file.scene.objects[0], 1), 5, 0, 5);
+    expect_near(vertex(file.scene.objects[1], 1), 0, 9, 5);
+    file.film.value().pose(file.scene, 1);
+    expect_near(vertex(file.scene.objects[0], 1), 5, 0, 9);
+    expect_near(vertex(file.scene.objects[1], 1), 0, 9, 9);
+    EXPECT_EQ(
+        error(replaced(text, "\"SCALE\": " + s, "\"SCALE\": " + p)),
+        "m.gltf: nodes[0].extensions.EXT_mesh_gpu_instancing.attributes.SCALE has 3 elements; "
+        "expected 2, as the others have");
+}
+
 TEST_F(GltfShape, VertexColoursAreInterpolatedAsLight) {
     Accessors a;
     const std::string p = std::to_string(a.vec3s({0, 0, 0, 2, 0, 0, 0, 3, 0, 2, 3, 0})),
@@ -241,6 +273,30 @@ TEST_F(GltfShape, AMaterialWithATextureHasTheMeanOfVertexColours) {
               "m.gltf: object 'n': vertex colours are drawn as their mean");
     const Material& m = file.scene.materials.at(file.scene.objects.at(0).material);
     EXPECT_NEAR(double(m.Kd.x), 1.055 * std::pow(1.0 / 3, 1 / 2.4) - 0.055, 1e-6);
+}
+
+TEST_F(GltfShape, TexturedTrianglesOfOneColourKeepIt) {
+    Accessors a;
+    const std::string p = std::to_string(
+                          a.vec3s({0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 1, 2, 0, 1, 0, 3, 1})),
+                      c = std::to_string(
+                          a.vec3s({1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0})),
+                      st = std::to_string(
+                          a.add<float>({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 5126, "VEC2"));
+    const SceneFile file = read(a.file(
+        R"("nodes": [{"mesh": 0, "name": "n"}], "images": [{"uri": "data:image/png;base64,QUJD"}],
+"textures": [{"source": 0}], "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}],
+"meshes": [{"primitives": [{"material": 0, "attributes": {"POSITION": )" +
+        p + R"(, "COLOR_0": )" + c + R"(, "TEXCOORD_0": )" + st + "}}]}]"));
+    EXPECT_TRUE(file.warnings.empty());
+    ASSERT_EQ(file.scene.objects.size(), 2u);
+    for (const Object& o : file.scene.objects) {
+        const Material& m = file.scene.materials.at(o.material);
+        const bool is_red = vertex(o, 0).z == 0;
+        EXPECT_EQ(m.Kd, is_red ? vec3(1, 0, 0) : vec3(0, 1, 0));
+        EXPECT_EQ(m.map_Kd.size(), 1u);
+        EXPECT_EQ(o.mesh->triangles().size(), 1u);
+    }
 }
 
 // The extension's own example: the lower left quarter of the picture, turned clockwise by 90 degrees.
