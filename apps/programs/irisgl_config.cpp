@@ -22,7 +22,7 @@ std::string words_of(const IrisGlOptions& options) {
         const std::string headers = folder_beside({"include/irisgl"}, "gl/gl.h").string();
         words = fmt::format(
             "-std=gnu99 -fgnu89-inline -fcommon -w -Wno-implicit-int "
-            "-Wno-implicit-function-declaration -I{} -I{}/gl",
+            "-Wno-implicit-function-declaration -fno-builtin-exit -I{} -I{}/gl",
             headers, headers);
     }
     if (options.libs || all) {

@@ -108,7 +108,7 @@ void gsync() {
 }
 long sginap(long ticks) {
     gflush();
-    wait_on_screen(int(std::clamp(ticks, 0L, 100L)) * 10);
+    wait_on_screen(int(std::clamp(ticks, 0L, 6000L)) * 10);
     pass(parts_of_frame);
     return 0;
 }

@@ -1,4 +1,4 @@
-/* Devices: buttons, keys, valuators and window events. SWn is SW0 + n. */
+/* Devices: buttons, keys, valuators and window events. */
 #ifndef GW_IRISGL_DEVICE_H
 #define GW_IRISGL_DEVICE_H
 #define NULLDEV 0
@@ -112,7 +112,43 @@
 #define MOUSE3 103
 #define MENUBUTTON 101
 #define LPENBUT 104
-#define SW0 120
+/* Switches, and buttons of a tablet. */
+#define SW0 150
+#define SW1 151
+#define SW2 152
+#define SW3 153
+#define SW4 154
+#define SW5 155
+#define SW6 156
+#define SW7 157
+#define SW8 158
+#define SW9 159
+#define SW10 160
+#define SW11 161
+#define SW12 162
+#define SW13 163
+#define SW14 164
+#define SW15 165
+#define SW16 166
+#define SW17 167
+#define SW18 168
+#define SW19 169
+#define SW20 170
+#define SW21 171
+#define SW22 172
+#define SW23 173
+#define SW24 174
+#define SW25 175
+#define SW26 176
+#define SW27 177
+#define SW28 178
+#define SW29 179
+#define SW30 180
+#define SW31 181
+#define BPAD0 182
+#define BPAD1 183
+#define BPAD2 184
+#define BPAD3 185
 #define DIAL0 256
 #define DIAL1 257
 #define DIAL2 258
@@ -126,6 +162,8 @@
 #define MOUSEY 267
 #define CURSORX 268
 #define CURSORY 269
+#define BPADX 270
+#define BPADY 271
 #define TIMER0 515
 #define TIMER1 516
 #define TIMER2 517

@@ -30,6 +30,7 @@ char **argv;
     gconfig();
     getsize(&width, &height);
     if (width != 8 || height != 8) return 1;
+    if (!winget()) exit();
     qdevice(LEFTMOUSE);
     if (qread(&value) != REDRAW || qread(&value) != INPUTCHANGE) return 2;
     if (qread(&value) != LEFTMOUSE) return 3;
