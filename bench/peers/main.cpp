@@ -123,19 +123,13 @@ void print_row(const Row& r) {
 }
 
 nlohmann::json to_json(const Row& r) {
-    return {{"key", r.workload->key},
-            {"name", r.workload->name},
-            {"ours_ms", r.ours.wall},
-            {"ours_cpu_ms", r.ours.cpu},
-            {"first_ms", r.first.wall},
-            {"first_ratio", r.first_ratio()},
-            {"buffers_ms", r.buffers.wall},
-            {"lists_ms", r.lists.wall},
-            {"strips_ms", r.strips.wall},
-            {"peer_cpu_ms", r.theirs().cpu},
-            {"ratio", r.ratio()},
-            {"wanted", r.workload->wanted},
-            {"pixels_differing", r.differing}};
+    return {{"key", r.workload->key},         {"name", r.workload->name},
+            {"ours_ms", r.ours.wall},         {"ours_cpu_ms", r.ours.cpu},
+            {"first_ms", r.first.wall},       {"first_cpu_ms", r.first.cpu},
+            {"first_ratio", r.first_ratio()}, {"buffers_ms", r.buffers.wall},
+            {"lists_ms", r.lists.wall},       {"strips_ms", r.strips.wall},
+            {"peer_cpu_ms", r.theirs().cpu},  {"ratio", r.ratio()},
+            {"wanted", r.workload->wanted},   {"pixels_differing", r.differing}};
 }
 
 /// How often our frames fit into the peer's, by workload.

@@ -40,8 +40,6 @@ GLuint picture_framebuffer(int samples, const Options& options) {
     return name;
 }
 
-}  // namespace
-
 void make_framebuffers(Scene& s) {
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_SAMPLES, &most);
@@ -71,8 +69,6 @@ void make_framebuffers(Scene& s) {
     gl.ActiveTexture(GL_TEXTURE0);
 }
 
-namespace {
-
 std::vector<GLubyte> checkers(int size, int field, GLubyte tint) {
     std::vector<GLubyte> out;
     for (int y = 0; y < size; ++y)
@@ -93,8 +89,6 @@ void filter_linearly(GLenum target, GLint wrap) {
     gl.GenerateMipmap(target);
 }
 
-}  // namespace
-
 void make_textures(Scene& s) {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl.GenTextures(1, &s.floor_texture);
@@ -111,8 +105,6 @@ void make_textures(Scene& s) {
     filter_linearly(GL_TEXTURE_CUBE_MAP, GL_CLAMP_TO_EDGE);
     if (has_extension("GL_ARB_seamless_cube_map")) gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
-
-namespace {
 
 void floor_quads() {
     constexpr int count = 200;
@@ -173,8 +165,6 @@ void compile(GLuint list, Draw draw) {
     gl.EndList();
 }
 
-}  // namespace
-
 void make_lists(Scene& s) {
     s.lists = gl.GenLists(list_count);
     if (s.lists == 0) fail("glGenLists");
@@ -183,8 +173,6 @@ void make_lists(Scene& s) {
     compile(s.lists + sky_list, [] { tube(18, -15, 15, false); });
     compile(s.lists + haze_list, [] { tube(17, -0.5f, 3, true); });
 }
-
-namespace {}  // namespace
 
 /// A wavy cloth: positions, normals, texture coordinates, indices.
 void make_skin(Scene& s) {
@@ -216,6 +204,21 @@ void make_skin(Scene& s) {
     store(GL_ELEMENT_ARRAY_BUFFER, s.skin[3], indices, GL_STATIC_DRAW);
     gl.BindBuffer(GL_ARRAY_BUFFER, 0);
     gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+}
+
+}  // namespace
+
+void open_scene(Scene& s, const std::string& door) {
+    open_door(door);
+    load_functions();
+    s.zero_to_one = gl.ClipControl != nullptr && has_extension("GL_ARB_clip_control");
+    const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE && status != GL_FRAMEBUFFER_UNDEFINED)
+        fail("Default framebuffer is not complete");
+    make_framebuffers(s);
+    make_textures(s);
+    make_lists(s);
+    make_skin(s);
 }
 
 void draw_skin(const Scene& s) {

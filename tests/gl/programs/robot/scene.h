@@ -1,4 +1,4 @@
-// The objects of the robot's picture: framebuffers, textures, lists, the skin's buffers.
+// The robot's picture, and its objects: framebuffers, textures, lists, the skin's buffers.
 #pragma once
 
 #include "tests/gl/programs/robot/functions.h"
@@ -6,6 +6,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace robot {
 
@@ -22,13 +23,19 @@ struct Scene {
     std::array<GLuint, 4> skin{};
     int skin_indices = 0;
     Matrix projection{}, view{};
+    float moved = 0;  ///< of the bodies, along x
 };
 enum List : GLuint { floor_list, sphere_list, sky_list, haze_list, list_count };
 
-void make_framebuffers(Scene& scene);
-void make_textures(Scene& scene);
-void make_lists(Scene& scene);
-void make_skin(Scene& scene);
+/// Makes a context of a door current and the objects; ends the program with a message if it cannot.
+void open_scene(Scene& scene, const std::string& door);
 void draw_skin(const Scene& scene);
+
+void draw_picture(Scene& scene);
+/// Each body in a colour that is its number.
+void draw_numbers(const Scene& scene);
+/// R, G, B of all pixels, and their depths, by way of the framebuffer without samples.
+std::vector<GLubyte> read_colors(const Scene& scene);
+std::vector<GLfloat> read_depths(const Scene& scene);
 
 }  // namespace robot
