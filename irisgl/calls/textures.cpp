@@ -75,7 +75,8 @@ void set_property(int word, int value) {
 void upload(const TextureDefinition& t) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    for (std::size_t i = 0; i + 1 < t.properties.size() && t.properties[i] != 0; i += 2)
+    for (std::size_t i = 0; i + 1 < t.properties.size() && t.properties[i] != 0;
+         i += 1 + std::size_t(texture_values(int(t.properties[i]))))
         set_property(int(t.properties[i]), int(t.properties[i + 1]));
     glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, GLsizei(t.width), GLsizei(t.height), 0, GL_RGBA,
@@ -137,7 +138,7 @@ constexpr GLenum axes[] = {GL_S, GL_T, GL_R, GL_Q};
 
 }  // namespace
 
-void texdef2d(long index, long components, long width, long height, Words image, long n,
+void texdef2d(long index, long components, long width, long height, Words image, long,
               Values props) {
     const bool fits = width > 0 && height > 0 && width <= 4096 && height <= 4096;
     if (index <= 0 || components < 1 || components > 4 || !fits || !image.is_given())
@@ -150,7 +151,7 @@ void texdef2d(long index, long components, long width, long height, Words image,
     t.components = int(components);
     t.width = width;
     t.height = height;
-    t.properties.assign(props.begin(), props.begin() + std::min(n, long(props.size())));
+    t.properties.assign(props.begin(), props.end());
     read_texels(t, image);
     ++t.version;
 }
@@ -198,9 +199,8 @@ void fbsubtexload(long x, long y, long target, long index, float left, float rig
     put(*part, index);
 }
 
-void tevdef(long index, long n, Values props) {
-    program().environments[index].assign(props.begin(),
-                                         props.begin() + std::min(n, long(props.size())));
+void tevdef(long index, long, Values props) {
+    program().environments[index].assign(props.begin(), props.end());
 }
 
 void tevbind(long, long index) {

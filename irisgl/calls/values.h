@@ -89,4 +89,25 @@ long light_size(long n, const T* props) {
     return at;
 }
 
+/// Numbers after a property of a texture.
+constexpr long texture_values(int property) {
+    switch (property) {
+        case TX_FAST_DEFINE: return 0;
+        case TX_CONTROL_POINT: return 2;
+        case TX_DETAIL: return 5;
+        default: return 1;
+    }
+}
+/// And of a texture environment.
+constexpr long environment_values(int property) { return property == TV_COLOR ? 4 : 0; }
+
+/// The numbers of a definition of texdef2d or tevdef: `n`, or up to the null word if it is 0.
+template <class T>
+long listed(long n, const T* props, long (*values)(int)) {
+    if (n > 0 || props == nullptr) return n;
+    long at = 0;
+    while (at < 256 && props[at] != T(0)) at += 1 + values(int(props[at]));
+    return at;
+}
+
 }  // namespace gw::irisgl

@@ -153,6 +153,22 @@ TEST_F(IrisGlManual, APartOfATextureIsLoadedFromTheFrameBuffer) {
     texbind(TX_TEXTURE_0, 0);
 }
 
+// Without a number of properties they end with a null: 2 x 2 texels in point sampling, decal.
+TEST_F(IrisGlManual, PropertiesOfTexturesEndWithANullIfNobodyCountsThem) {
+    rgb();
+    unsigned long texels[] = {0xFF0000FF, 0xFF00FF00, 0xFF0000FF, 0xFF00FF00};
+    float point[] = {TX_FAST_DEFINE, TX_MINFILTER, TX_POINT, TX_MAGFILTER, TX_POINT, TX_NULL};
+    float decal[] = {TV_COLOR, 0, 0, 0, 0, TV_DECAL, TV_NULL};
+    texdef2d(9, 4, 2, 2, texels, 0, point);
+    tevdef(9, 0, decal);
+    tevbind(TV_ENV0, 9);
+    texbind(TX_TEXTURE_0, 9);
+    cpack(0xFFFF0000);
+    square();
+    for (int x = 4; x < 12; ++x) EXPECT_EQ(shown(x, 7), x < 8 ? red : green) << x;
+    texbind(TX_TEXTURE_0, 0);
+}
+
 TEST_F(IrisGlManual, PixelsAreNotTextured) {
     rgb();
     unsigned long texels[4] = {0xFF00FF00, 0xFF00FF00, 0xFF00FF00, 0xFF00FF00};
