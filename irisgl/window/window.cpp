@@ -20,9 +20,7 @@ public:
           which_(which) {}
     const Planes& shown() override { return of_.shown(); }
     gl::ShownIndices shown_indices() const override;
-    void present() override {
-        if (take_front_changed()) of_.show_again();
-    }
+    bool take_changed() { return take_front_changed(); }
 
 private:
     static constexpr std::array words{" overlay", " underlay", " pop-up"};
@@ -115,7 +113,9 @@ void Window::show_again() {
 
 void Window::present() {
     if (host_ == nullptr) return;
-    if (take_front_changed() || shown_map_ != program().colors.changes) {
+    bool is_changed = take_front_changed() || shown_map_ != program().colors.changes;
+    for (const auto& planes : aside_) is_changed |= planes && planes->take_changed();
+    if (is_changed) {
         pixels_.resize(std::size_t(width()) * std::size_t(height()));
         read_packed(gw::ReadBuffer::Front, {0, 0, width(), height()}, gl::Cause::Shown, pixels_);
         compose(pixels_);
