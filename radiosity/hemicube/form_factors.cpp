@@ -228,7 +228,8 @@ Hemicube FormFactors::hemicube_on(const std::vector<ShootPoint>& points, std::si
     const ShootPoint& point = points.at(number);
     const double near_plane = near_plane_of(point, model_.extent);
     return hemicube_at(point.position, point.normal, turn_of(options_.seed, turns, number),
-                       near_plane, model_.extent * 1.01 + near_plane, options_.hemicube);
+                       near_plane, std::max(model_.extent, point.farthest) * 1.01 + near_plane,
+                       options_.hemicube);
 }
 
 // [F4] (1): the ID buffers are drawn in parallel.

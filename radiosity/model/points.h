@@ -20,7 +20,8 @@ struct ShootPoint {
     double nearest = std::numeric_limits<double>::infinity();
     /// of Shooting::near_parts: the part that the point stands for; none: no_part
     std::uint32_t near_part = no_part;
-    int quarter = 0;  ///< of the patch: 1 has the higher u, 2 the higher v, 3 both
+    double farthest = 0;  ///< a surface that it may see, if that is beyond the scene's extent
+    int quarter = 0;      ///< of the patch: 1 has the higher u, 2 the higher v, 3 both
 };
 
 /// A surface farther from a point than this part of ShootPoint::size is not looked for.

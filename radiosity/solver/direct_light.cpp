@@ -19,10 +19,13 @@ constexpr std::array<dvec3, 6> axes{
 /// are its components, and no edge between hemicubes shows.
 std::vector<dvec3> directions(const PixmapModel& model, FormFactors& factors, const dvec3& lamp,
                               std::uint64_t turns) {
+    const scene::Bounds box = scene::bounds(model.drawn);
+    double farthest = 0;
+    for (int i = 0; i < 8; ++i) farthest = std::max(farthest, length(scene::corner(box, i) - lamp));
     std::vector<dvec3> sums(model.texel_count(), dvec3(0));
     for (std::size_t k = 0; k < axes.size(); ++k) {
-        const Row row =
-            factors.from_points({{.position = lamp, .normal = axes[k], .share = 1}}, turns + k);
+        const Row row = factors.from_points(
+            {{.position = lamp, .normal = axes[k], .share = 1, .farthest = farthest}}, turns + k);
         for (std::size_t i = 0; i < row.texels.size(); ++i)
             sums[row.texels[i]] += pi * row.factors[i] * axes[k];
     }

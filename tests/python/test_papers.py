@@ -1,5 +1,6 @@
 """The papers' renderers from Python, beside the command's answers."""
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -193,6 +194,34 @@ def test_radiosity_is_an_iterator_of_shots():
             else max(p.mean() for p in after.values())) < before
     with pytest.raises(gw.Error, match="expected"):
         solver.form_factors(10**9)
+
+
+def test_radiosity_of_a_lamp_in_candela(tmp_path):
+    (tmp_path / "s.toml").write_text("""white = {lux = 100}
+texels = 5
+[[light]]
+position = [0, 2, 0]
+candela = 300
+[[object]]
+name = "floor"
+shape = "rectangle"
+width = 1
+depth = 1
+material = {Kd = 0.5}
+""")
+    scene = gw.Scene.open(tmp_path / "s.toml")
+    lamp = scene.lights[0]
+    assert scene.white == 100
+    assert lamp.candela == pytest.approx((300, 300, 300))
+    assert lamp.lumen == pytest.approx((4 * math.pi * 300,) * 3)
+    solver = gw.Radiosity(scene, hemicube=128)
+    # at the foot I / d^2; 0.5 of it is reflected, and shown by the white
+    assert solver.pixmaps("irradiance")["floor"].max() == pytest.approx(300 / 4, rel=0.02)
+    camera = gw.Camera()
+    camera.eye, camera.at, camera.up = (0, 1, 0), (0, 0, 0), (0, 0, 1)
+    picture = solver.draw(camera, width=33, height=33, ambient=False)
+    assert picture.color[16, 16, 0] == pytest.approx(0.5 * 0.75 * 255, abs=3)
+    assert gw.SceneLight().candela is None and gw.SceneLight().lumen is None
 
 
 def painter(header):

@@ -49,10 +49,10 @@ double solid_angle(double x0, double x1, double z0, double z1, double h) {
 
 // The mean over a texel is I times its solid angle by its area: I / d² below the lamp.
 TEST(DirectLight, OfAPointFallsWithTheSquareOfTheDistance) {
-    for (const double h : {0.5, 1.0, 2.0}) {
+    for (const double h : {0.5, 1.0, 2.0, 5.0}) {  // the last one is beyond the scene's extent
         scene::Scene scene = floor_of();
         scene.lights = {point_light({0, float(h), 0})};
-        const PixmapModel model = lit(scene);
+        const PixmapModel model = lit(scene, 8, h > 2 ? 256 : 128);
         ASSERT_EQ(model.texel_count(), 256u);
         for (std::size_t t = 0; t < 256; ++t) {
             const dvec3 p = model.middle[t];
