@@ -73,8 +73,9 @@ TEST_F(ColorMapRecordings, AreReadInIndicesByEveryCommand) {
     for (auto at = help.cbegin() + long(help.find("Subcommands:"));
          std::regex_search(at, help.cend(), row, name); at = row[0].second - 1) {
         const std::string usage = gw({row[1], "--help"}).out;
-        if (usage.find("  RECORDING ") != std::string::npos)
+        if (usage.find("  RECORDING ") != std::string::npos) {
             EXPECT_TRUE(commands.contains(row[1])) << row[1];
+        }
     }
 }
 
