@@ -137,17 +137,16 @@ void Drawable::end_frame() {
     const auto lock = exclusive();
     front_drawn_ = false;
     if (frame_.is_new()) return;
-    if (log) {
-        log->end_frame(*this);
-        logged_indices_ = shown_indices();
-    }
+    if (log) log->end_frame(*this);
+    logged_indices_ = log ? std::optional(shown_indices()) : std::nullopt;
     frame_.end();
 }
 
 void Drawable::end_recolored_frame() {
     const auto lock = exclusive();
     if (!log || !frame_.is_new() || frame_.number() == 0) return;
-    if (shown_indices() == logged_indices_) return;
+    if (!logged_indices_) logged_indices_ = shown_indices();
+    if (shown_indices() == *logged_indices_) return;
     log->begin_frame(*this);
     frame_.begin();
     flush(Cause::Shown);

@@ -163,7 +163,8 @@ private:
     std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
     CollectedCommands executed_;              ///< by it
     Frame frame_;
-    ShownIndices logged_indices_;  ///< of the last frame that ended, if somebody listens
+    /// Of the last frame that ended; none: nobody listened.
+    std::optional<ShownIndices> logged_indices_;
     SampleCounts counts_;
     std::vector<QueryResult> counted_behind_;  ///< by background_
     bool front_changed_ = false;

@@ -58,7 +58,6 @@ protected:
 
     using Words = std::vector<std::string>;
 
-private:
     const TemporaryFolder folder_;
     const std::string file_ = folder_ / "program.gwt";
 };
@@ -235,6 +234,28 @@ TEST_F(IrisGlRecording, HasMapsOfPlanesAboveThatAreShownWithoutDrawing) {
     ASSERT_EQ(inspect::pass_ranges(r).size(), 2u);
     EXPECT_EQ(inspect::ShownMaps(r).of_pass(0)->entry(2)[0], 1);
     EXPECT_EQ(inspect::ShownMaps(r).last()->entry(2)[0], 2);
+}
+
+// The listener comes in the middle of a program, as on a page: no map has changed since.
+TEST_F(IrisGlRecording, MakesNoFrameOfTheFirstMapThatItHearsOf) {
+    stop();
+    doublebuffer();
+    gconfig();
+    mapcolor(37, 1, 1, 1);
+    color(37);
+    clear();
+    swapbuffers();
+    gl::set_frame_log(
+        std::make_unique<gl::Recording>(file_, gl::settings().profile, gl::FrameRange{}));
+    gsync();
+    rectfi(1, 1, 4, 4);
+    swapbuffers();
+    mapcolor(37, 2, 2, 2);
+    gsync();
+    const inspect::Recording r = recorded();
+    Words passes;
+    for (const auto& row : inspect::pass_ranges(r)) passes.push_back(row.name);
+    EXPECT_EQ(passes, (Words{"before frame 1", "frame 1", "frame 2"}));
 }
 
 TEST_F(IrisGlRecording, NamesThePlanesAboveTheWindow) {
