@@ -39,6 +39,9 @@ Recording::Recording(std::string file, const Profile& profile, const FrameRange&
 
 Recording::~Recording() {
     attempt([&] { writer_.finish(); });
+    if (!failed_ && is_empty_)
+        std::fprintf(stderr, "gw: warning: no frame of GW_FRAMES was drawn: '%s' has none\n",
+                     file_.c_str());
 }
 
 void Recording::check(const char* what) {
@@ -87,6 +90,7 @@ CommandList Recording::drawn_before(Drawable& drawable) const {
 void Recording::begin_window(Drawable& drawable) {
     writer_.open(drawable.name(), drawable.width(), drawable.height());
     windows_.insert(drawable.name());
+    is_empty_ = false;
     color_maps_.erase(drawable.name());
     if (drawable.state() == nullptr) return;  // nothing was drawn before
     writer_.add(drawable.name(), drawn_before(drawable), {}, new_color_map(drawable));

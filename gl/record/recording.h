@@ -22,7 +22,7 @@ class Recording : public FrameLog {
 public:
     /// Throws Error if the file cannot be written.
     Recording(std::string file, const Profile& profile, const FrameRange& frames);
-    /// Finishes the file.
+    /// Finishes the file. Says so if no frame is in it.
     ~Recording() override;
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
@@ -53,6 +53,7 @@ private:
     std::set<std::string> windows_;  ///< that are open in the recording
     std::map<std::string, inspect::ColorMap>
         color_maps_;  ///< of windows_, as the recording has them
+    bool is_empty_ = true;
     bool failed_ = false;
 };
 

@@ -163,6 +163,7 @@ Stream read_recordings(const std::filesystem::path& file) {
 
 Recording choose_window(Stream stream, const std::string& window) {
     auto& windows = stream.windows;
+    if (windows.empty()) throw Error("the recording has no frame; expected a program that draws");
     if (window.empty() && windows.size() == 1) return std::move(windows[0].recording);
     const auto named = std::find_if(windows.begin(), windows.end(),
                                     [&](const auto& w) { return w.name == window; });

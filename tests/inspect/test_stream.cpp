@@ -145,6 +145,9 @@ TEST(Streams, AWindowIsAMachineOfItsOwn) {
               "several windows; expected --window with the name or the number of one of these: 'w' "
               "(4 x 3), 'w 2' (5 x 6), 'w 3' (7 x 8)");
     EXPECT_TRUE(message_of([&] { choose_window(stream, "3"); }).starts_with("--window '3': "));
+    for (const char* window : {"", "w"})
+        EXPECT_EQ(message_of([&] { choose_window(Stream(), window); }),
+                  "the recording has no frame; expected a program that draws");
 }
 
 TEST(Streams, ReplayAsTheyWereExecuted) {

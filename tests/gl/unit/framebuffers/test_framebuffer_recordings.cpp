@@ -78,6 +78,17 @@ TEST_F(GlRecordings, RestoreFramebufferObjectsThatWereDrawnToBefore) {
     EXPECT_EQ(color.color[4], (Rgba{7, 8, 9, 10}));
 }
 
+TEST_F(GlRecordings, WithoutAnyFrameSaySo) {
+    begin_recording();
+    machine->add(gw::Clear{.planes = mask_of(Plane::Color)});
+    machine->finish();
+    testing::internal::CaptureStderr();
+    end_recording();
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("no frame of GW_FRAMES was drawn"), std::string::npos) << said;
+    EXPECT_EQ(std::ranges::count(said, '\n'), 1) << said;
+}
+
 /// Their samples' values cannot be read apart: a warning, once.
 TEST_F(GlRecordingsOfSamples, SayThatTheyBeginWithOneValueForAllSamples) {
     begin_recording();
