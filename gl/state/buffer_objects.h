@@ -13,7 +13,7 @@ namespace gw::gl {
 
 struct BufferObject {
     struct Free {
-        void operator()(std::byte* bytes) const { std::free(bytes); }
+        void operator()(std::byte* memory) const { std::free(memory); }
     };
 
     GLuint name = 0;
