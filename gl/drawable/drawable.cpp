@@ -145,8 +145,8 @@ void Drawable::end_frame() {
 void Drawable::end_recolored_frame() {
     const auto lock = exclusive();
     if (!log || !frame_.is_new() || frame_.number() == 0) return;
-    if (!logged_indices_) logged_indices_ = shown_indices();
-    if (shown_indices() == *logged_indices_) return;
+    const auto before = std::exchange(logged_indices_, shown_indices());
+    if (!before || before == logged_indices_) return;
     log->begin_frame(*this);
     frame_.begin();
     flush(Cause::Shown);

@@ -46,6 +46,13 @@ bool OffScreen::suits(std::uint32_t number, std::span<const ImagePlane> planes, 
            });
 }
 
+std::uint32_t OffScreen::free_number() const {
+    const auto free = std::ranges::find(surfaces_, 0, &Surface::width);
+    const auto number = std::uint32_t(free - surfaces_.begin()) + 1;
+    if (number > max_surfaces) throw std::bad_alloc();
+    return number;
+}
+
 std::uint32_t OffScreen::make(std::span<const ImagePlane> planes, int width, int height) {
     end_unused();
     Surface made{.width = width, .height = height};
@@ -54,15 +61,13 @@ std::uint32_t OffScreen::make(std::span<const ImagePlane> planes, int width, int
         made.samples = p.image->samples;
         if (p.plane == Plane::Depth) made.depth_bits = p.image->depth_bits;
     }
-    const auto free = std::ranges::find(surfaces_, 0, &Surface::width);
-    const auto number = std::uint32_t(free - surfaces_.begin()) + 1;
-    if (number > max_surfaces) throw std::bad_alloc();
+    const std::uint32_t number = free_number();
     add(MakeSurface{number, made});  // first: a recording that begins here does not know it yet
-    if (free == surfaces_.end()) {
+    if (number > surfaces_.size()) {
         surfaces_.push_back(made);
         owners_.emplace_back();
     } else {
-        *free = made;
+        surfaces_[number - 1] = made;
     }
     ++made_;
     return number;
@@ -186,10 +191,9 @@ std::vector<Readback> OffScreen::read_surface(std::uint32_t number) {
     const auto lock = exclusive();
     Surface surface = surfaces_[number - 1];
     CommandList list;
-    const std::uint32_t spare = surfaces_.size() < max_surfaces ? surfaces_.size() + 1 : 0;
     const bool has_samples = std::exchange(surface.samples, 0) > 0;
+    const std::uint32_t spare = has_samples ? free_number() : 0;
     if (has_samples) {
-        if (spare == 0) return {};
         const Rect all{0, 0, surface.width, surface.height};
         list.add(SetState{gw::State()});
         list.add(MakeSurface{spare, surface});

@@ -70,13 +70,16 @@ public:
     /// The surfaces that were made, by number from 1; those with sides of 0 are gone.
     const std::vector<Surface>& surfaces() const { return surfaces_; }
     /// All values of a surface, for no frame: of a pixel with samples, their mean and the first one's
-    /// depth and stencil value. Precondition: a state is set, and the frame has no commands.
+    /// depth and stencil value. Precondition: a state is set, and the frame has no commands. Throws
+    /// std::bad_alloc if no surface is left for them.
     std::vector<Readback> read_surface(std::uint32_t number);
 
 private:
     friend struct SurfaceImage;
     bool suits(std::uint32_t number, std::span<const ImagePlane> planes, int width,
                int height) const;
+    /// Throws std::bad_alloc if there is none.
+    std::uint32_t free_number() const;
     std::uint32_t make(std::span<const ImagePlane> planes, int width, int height);
     void move(const ImagePlane& plane, std::uint32_t to);
     void leave(const ImagePlane& plane);
