@@ -1,6 +1,17 @@
-# Sources that a build makes from tables, for builds of a part by another compiler: the lab's
-# engine, the matrix of processors, Windows. They are made by programs of the machine that compiles.
+# What builds of a part by another compiler share: the lab's engine, the matrix of processors,
+# Windows. Their sources that come from tables are made by programs of the machine that compiles.
 include_guard(GLOBAL)
+
+# Libraries that are headers only are reached by links, as the rest of /usr is of another processor
+# or system. Those of OpenGL are in GW_HEADERS/opengl. What is there already stays.
+set(GW_HEADERS ${PROJECT_BINARY_DIR}/headers CACHE PATH "folder of the header-only libraries")
+file(MAKE_DIRECTORY ${GW_HEADERS}/opengl)
+foreach(header glm fmt hwy CLI flatbuffers nlohmann toml++ xxhash.h opengl/GL opengl/KHR)
+    string(REGEX REPLACE "^opengl/" "" origin ${header})
+    if(NOT EXISTS ${GW_HEADERS}/${header})
+        file(CREATE_LINK /usr/include/${origin} ${GW_HEADERS}/${header} SYMBOLIC)
+    endif()
+endforeach()
 
 # gw_made_schemas(ROOT FOLDER): the headers of recordings. The same text does not compile anew.
 find_program(GW_FLATC flatc REQUIRED)
