@@ -1,6 +1,6 @@
 // The machine as the page sees it: every method of the worker as a promise. A worker that is
 // stopped, or whose memory is full, is ended, and another one begins with the same files.
-import { beginWorker } from './begin_worker';
+import { beginWorker, type BegunWorker } from './begin_worker';
 import { folder } from './data';
 import type { Answer, Files, Methods } from './protocol';
 
@@ -26,17 +26,17 @@ export class Machine {
   readonly started: Result<'start'>;
 
   /** The worker begins by itself: it has been asked to start. */
-  constructor(worker: Worker) {
-    this.started = this.begin(worker);
+  constructor(begun: BegunWorker) {
+    this.started = this.begin(begun);
     this.started.then(
       ({ module }) => (this.module = module),
       () => undefined, // the page has the error
     );
   }
 
-  private begin(worker: Worker): Result<'start'> {
+  private begin({ worker, first }: BegunWorker): Result<'start'> {
     this.worker = worker;
-    worker.onmessage = (event: MessageEvent<Answer>) => {
+    const take = (event: MessageEvent<Answer>): void => {
       const { number, value, error } = event.data;
       const asked = this.waiting.get(number);
       this.waiting.delete(number);
@@ -48,6 +48,10 @@ export class Machine {
         this.stop(error).catch(() => undefined); // the page has the error
       }
     };
+    void first.then((event) => {
+      worker.onmessage = take;
+      take(event);
+    });
     return new Promise((done, failed) => {
       this.waiting.set(0, { method: 'start', done: done as (value: unknown) => void, failed });
     });
