@@ -11,7 +11,7 @@ import {
   timesPalette,
 } from '../model/comparison';
 import { defaultSettings } from '../model/settings';
-import { comparison } from './sample_comparison';
+import { comparison } from './samples/comparison';
 
 const names = (runs: readonly { name: string }[]) => runs.map((run) => run.name);
 

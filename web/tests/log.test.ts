@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { LogError, parseLog, polygonOf } from '../model/steps/log';
-import { text } from './sample';
+import { text } from './samples/log';
 
 describe('parseLog', () => {
   it('reads the header, all steps and the totals', () => {

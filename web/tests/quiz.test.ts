@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { isRight, letter, numbersOf, pictureOf } from '../model/quiz';
 import { fromQuizAddress, toQuizAddress } from '../model/quiz_address';
 import { defaultSettings } from '../model/settings';
-import { question } from './sample_question';
+import { question } from './samples/question';
 
 describe('an answer', () => {
   it('is right as the key has it, in digits of any width', () => {

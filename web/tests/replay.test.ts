@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { parseLog, type Log, type Step } from '../model/steps/log';
 import { nextWhere, Replay, touches } from '../model/steps/replay';
-import { header, text } from './sample';
+import { header, text } from './samples/log';
 
 /** Many steps that paint runs, by a fixed sequence. */
 function longLog(steps: number): Log {

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
 import { general, sentence, textOf } from '../model/steps/sentence';
-import { header, steps } from './sample';
+import { header, steps } from './samples/log';
 
 it('writes numbers with six digits, large ones whole', () => {
   const cases: [number, string][] = [

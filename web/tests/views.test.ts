@@ -9,7 +9,7 @@ import { inkOn } from '../model/palette';
 import { crossings, depthOfPixel, segmentsOfRow } from '../model/steps/scan_line';
 import { nearest, placed, treeOf } from '../model/steps/tree';
 import { bestView, viewsOf } from '../model/steps/views';
-import { header, text } from './sample';
+import { header, text } from './samples/log';
 
 describe('Camera', () => {
   const camera = new Camera(header);

@@ -3,9 +3,9 @@ import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { barriersOf } from '../barriers';
-import { text } from '../sample';
-import { comparison } from '../sample_comparison';
-import { question } from '../sample_question';
+import { text } from '../samples/log';
+import { comparison } from '../samples/comparison';
+import { question } from '../samples/question';
 import { describePages } from './browser';
 
 const gw = process.env['GW'] ?? '';

@@ -1,6 +1,6 @@
 // The page of a comparison in a real browser.
 import { expect, it } from 'vitest';
-import { comparison } from '../sample_comparison';
+import { comparison } from '../samples/comparison';
 import { describePages } from './browser';
 
 describePages('the comparison', (pages) => {

@@ -3,7 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
-import { text } from '../sample';
+import { text } from '../samples/log';
 import { describePages } from './browser';
 
 const scenes = process.env['GW_SCENES'] ?? '';

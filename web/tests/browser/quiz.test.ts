@@ -1,7 +1,7 @@
 // The page of a quiz in a real browser.
 import { expect, it } from 'vitest';
-import { text as logText } from '../sample';
-import { question } from '../sample_question';
+import { text as logText } from '../samples/log';
+import { question } from '../samples/question';
 import { describePages } from './browser';
 
 const several = {

@@ -1,5 +1,5 @@
 // A comparison made by hand: three algorithms, 4 x 2 pixels, two polygons.
-import type { Comparison } from '../model/comparison';
+import type { Comparison } from '../../model/comparison';
 
 export const comparison: Comparison = {
   data: 'gw hidden comparison',

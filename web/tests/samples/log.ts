@@ -1,5 +1,5 @@
 // A small log made by hand: two squares of 16 x 8 pixels, one behind the other, and a cut.
-import type { Header, Loop, Step } from '../model/steps/log';
+import type { Header, Loop, Step } from '../../model/steps/log';
 
 const square = (x0: number, y0: number, x1: number, y1: number, z: number): Loop => [
   [x0, y0, z],

@@ -1,5 +1,5 @@
 // A question as the command writes it.
-import type { Question } from '../model/quiz';
+import type { Question } from '../../model/quiz';
 
 const text = (en: string) => ({ en, ja: `${en}。` });
 
