@@ -73,7 +73,7 @@ void Drawable::add(Command command, std::span<const CallRun> calls) {
     const auto lock = exclusive();
     if (log && frame_.is_new()) log->begin_frame(*this);
     if (is_back_old_) bring_back_up_to_date(command);
-    if (!std::holds_alternative<SetState>(command))
+    if (!are_counts_paused_ && !std::holds_alternative<SetState>(command))
         if (const auto query = counts_.begin_segment()) frame_.add(*query);
     frame_.add(std::move(command), calls);
     if (frame_.is_full()) flush(Cause::Full);
@@ -119,6 +119,12 @@ void Drawable::end_count(const SampleCountRef& count) {
     const auto lock = exclusive();
     end_segment();
     counts_.end(count);
+}
+
+bool Drawable::pause_counts(bool pause) {
+    const auto lock = exclusive();
+    if (pause) end_segment();
+    return std::exchange(are_counts_paused_, pause);
 }
 
 void Drawable::end_segment() {

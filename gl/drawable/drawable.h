@@ -73,6 +73,9 @@ public:
     /// From here on, the samples of commands are counted; until here.
     void begin_count(SampleCountRef count);
     void end_count(const SampleCountRef& count);
+    /// Whether commands that follow are left out of all counts: those that only move planes are no
+    /// drawing. Returns what was so before.
+    bool pause_counts(bool pause);
     /// Executes the commands if counts wait for them, except those that go on.
     void finish_counts();
 
@@ -166,12 +169,27 @@ private:
     /// Of the last frame that ended; none: nobody listened.
     std::optional<ShownIndices> logged_indices_;
     SampleCounts counts_;
+    bool are_counts_paused_ = false;
     std::vector<QueryResult> counted_behind_;  ///< by background_
     bool front_changed_ = false;
     bool front_drawn_ = false;  ///< in this frame
     SwapMethod swap_method_ = settings().swap;
     bool is_back_old_ = false;     ///< it is to be a copy of the front buffer, and is not yet
     bool is_left_unseen_ = false;  ///< by the last work of background_
+};
+
+/// Nothing that is added to a drawable is counted while this lives.
+class PausedCounts {
+public:
+    explicit PausedCounts(Drawable& drawable)
+        : drawable_(drawable), before_(drawable.pause_counts(true)) {}
+    ~PausedCounts() { drawable_.pause_counts(before_); }
+    PausedCounts(const PausedCounts&) = delete;
+    PausedCounts& operator=(const PausedCounts&) = delete;
+
+private:
+    Drawable& drawable_;
+    bool before_;
 };
 
 }  // namespace gw::gl

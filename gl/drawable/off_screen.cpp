@@ -166,6 +166,7 @@ bool OffScreen::is_full() {
 void OffScreen::write(const ImagePlane& p, std::vector<Rgba> colors,
                       std::vector<std::uint32_t> values) {
     const auto lock = exclusive();
+    const PausedCounts paused(*this);
     use_plainly(surface_of(p, false));
     hold(colors.size() * sizeof(Rgba) + values.size() * sizeof(std::uint32_t));
     add(WritePixels{.rect = {0, 0, p.image->width, p.image->height},

@@ -126,6 +126,7 @@ void blit_to_object(Context& context, gw::Blit blit, Plane plane, ReadPlane read
 void blit_to_window(Context& context, gw::Blit blit, Plane plane, ReadPlane read) {
     Drawable& window = *context.drawable;
     const auto lock = window.exclusive();
+    const PausedCounts paused(window);
     const Surface surface{read.width, read.height, mask_of(plane),
                           plane == Plane::Depth ? read.depth_bits : 0};
     window.set_state(gw::State());

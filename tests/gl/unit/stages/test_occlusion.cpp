@@ -96,6 +96,25 @@ TEST(GlOcclusion, SurvivesANewSizeOfTheDrawable) {
               16u);
 }
 
+/// Blits and texels that become planes are not drawn. GL_ARB_framebuffer_object, 4.3.3
+TEST(GlOcclusion, DoesNotCountWhatIsOnlyMoved) {
+    const Window window;
+    const std::vector<GLubyte> white(4 * 4 * 4, 255);
+    glBindTexture(GL_TEXTURE_2D, 3);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+    glBindFramebufferEXT(GL_FRAMEBUFFER, 3);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 3, 0);
+    EXPECT_EQ(counted([] { glRectf(-1, -1, 1, 1); }), 16u) << "with texels moved first";
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    EXPECT_EQ(counted([] {
+                  glRectf(-1, -1, 1, 1);
+                  glBlitFramebuffer(0, 0, 4, 4, 0, 0, 20, 20, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+                  glRectf(-1, -1, 1, 1);
+              }),
+              2048u);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
 TEST(GlOcclusion, ResultsAreWholeAndAvailable) {
     const Window window;
     glBeginQuery(GL_SAMPLES_PASSED, 4);
