@@ -274,6 +274,12 @@ std::unique_lock<std::recursive_mutex> keep_buffers(Context& context) {
     return context.shared->exclusive();
 }
 
+/// Whether calls of several primitives are wrong as a whole: they draw none of them then.
+bool are_negative(GLsizei primcount, const GLsizei* counts) {
+    return primcount < 0 ||
+           std::any_of(counts, counts + primcount, [](GLsizei count) { return count < 0; });
+}
+
 }  // namespace
 
 namespace execute {
@@ -331,14 +337,14 @@ void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type,
 
 void multi_draw_arrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count,
                        GLsizei primcount) {
-    if (primcount < 0) return set_error(context, GL_INVALID_VALUE);
+    if (are_negative(primcount, count)) return set_error(context, GL_INVALID_VALUE);
     for (GLsizei i = 0; i < primcount; ++i)
         if (count[i] != 0) draw_arrays(context, mode, first[i], count[i]);
 }
 
 void multi_draw_elements(Context& context, GLenum mode, const GLsizei* count, GLenum type,
                          const GLvoid* const* indices, GLsizei primcount) {
-    if (primcount < 0) return set_error(context, GL_INVALID_VALUE);
+    if (are_negative(primcount, count)) return set_error(context, GL_INVALID_VALUE);
     for (GLsizei i = 0; i < primcount; ++i)
         if (count[i] != 0) draw_elements(context, mode, count[i], type, indices[i]);
 }

@@ -323,6 +323,20 @@ TEST(GlBuffers, WrongCallsAreErrors) {
     expect_error(GL_INVALID_VALUE, "a negative number");
 }
 
+TEST(GlBuffers, SeveralPrimitivesOfWhichOneIsWrongAreNotDrawn) {
+    const Window window;
+    set_arrays_in_memory();
+    const auto before = window.pixels();
+    const std::array<GLint, 2> first{0, 0};
+    const std::array<GLsizei, 2> count{3, -1};
+    glMultiDrawArrays(GL_TRIANGLES, first.data(), count.data(), 2);
+    expect_error(GL_INVALID_VALUE, "a negative count");
+    const std::array<const GLvoid*, 2> starts{indices.data(), indices.data()};
+    glMultiDrawElements(GL_TRIANGLES, count.data(), GL_UNSIGNED_SHORT, starts.data(), 2);
+    expect_error(GL_INVALID_VALUE, "a negative count");
+    EXPECT_EQ(window.pixels(), before);
+}
+
 TEST(GlBuffers, NamesLiveAsTheirObjectsDo) {
     const Window window;
     GLuint name = 0;
