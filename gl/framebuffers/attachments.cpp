@@ -96,7 +96,6 @@ std::optional<GLint> attachment_value(const Context& context, const Framebuffer&
     if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE)
         return a.texture ? GL_TEXTURE : a.renderbuffer ? GL_RENDERBUFFER : GL_NONE;
     if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) return GLint(a.name);
-    if (!a.is_given()) return std::nullopt;
     switch (pname) {
         case GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE:
         case GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE:
@@ -213,6 +212,10 @@ void get_framebuffer_attachment_parameteriv(Context& context, GLenum target, GLe
     const Plane plane = planes & mask_of(Plane::Color)   ? Plane::Color
                         : planes & mask_of(Plane::Depth) ? Plane::Depth
                                                          : Plane::Stencil;
+    const bool is_of_none = pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE ||
+                            pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME;
+    if (!framebuffer->at(plane).is_given() && !is_of_none)
+        return set_error(context, GL_INVALID_OPERATION);
     answer(context, attachment_value(context, *framebuffer, plane, pname), params);
 }
 

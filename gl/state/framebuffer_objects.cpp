@@ -73,30 +73,31 @@ std::optional<AttachedImage> attached_image(const Attachment& a) {
 
 namespace {
 
-/// Whether a buffer that the framebuffer names is attached.
-bool has_buffer(const Framebuffer& framebuffer, GLenum mode) {
-    return mode == GL_NONE || framebuffer.at(Plane::Color).is_given();
+/// The machine's surfaces have no borders.
+bool has_border(const Attachment& a) {
+    return a.texture != nullptr && a.texture->image(a.place.key).border != 0;
 }
 
 }  // namespace
 
 GLenum status_of(const Framebuffer& framebuffer, const Profile& profile) {
     std::optional<int> samples;
-    bool are_equal = true;
+    bool are_equal = true, is_supported = true;
     for (const Plane plane : {Plane::Color, Plane::Depth, Plane::Stencil}) {
         const Attachment& attachment = framebuffer.at(plane);
         if (!attachment.is_given()) continue;
+        if (has_border(attachment)) {
+            is_supported = false;
+            continue;
+        }
         const auto image = attached_image(attachment);
         if (!image || !suits_plane(profile, image->internal_format, plane))
             return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
         are_equal &= samples.value_or(image->samples) == image->samples;
         samples = image->samples;
     }
+    if (!is_supported) return GL_FRAMEBUFFER_UNSUPPORTED;
     if (!samples) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-    if (!has_buffer(framebuffer, framebuffer.draw_buffer))
-        return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
-    if (!has_buffer(framebuffer, framebuffer.read_buffer))
-        return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
     return are_equal ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
 }
 

@@ -48,9 +48,8 @@ TEST(GlFramebuffers, StatusFollowsTheRulesOfCompleteness) {
     attach_renderbuffer(0);
     const GLuint pair = new_renderbuffer(GL_DEPTH24_STENCIL8, 8, 8);
     attach_renderbuffer(pair, GL_DEPTH_STENCIL_ATTACHMENT);
-    EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER));
+    EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_COMPLETE)) << "no colours, though buffers name them";
     glDrawBuffer(GL_NONE);
-    EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER));
     glReadBuffer(GL_NONE);
     EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_COMPLETE));
     const GLuint texture = new_texture(GL_RGBA8, 8, 8);
@@ -60,7 +59,28 @@ TEST(GlFramebuffers, StatusFollowsTheRulesOfCompleteness) {
     EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT)) << "no such level";
     attach_texture(new_texture(GL_LUMINANCE, 8, 8));
     EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT)) << "luminance";
+    const GLuint bordered = new_texture(GL_RGBA8, 8, 8);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 10, 10, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    attach_texture(bordered);
+    EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_UNSUPPORTED)) << "a border";
     EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
+/// Shadow maps: many programs do not set the buffers to NONE.
+TEST(GlFramebuffers, WithoutColoursHaveDepthsWhateverTheirBuffersName) {
+    const Window window;
+    new_framebuffer();
+    attach_texture(new_texture(GL_DEPTH_COMPONENT24, 8, 8), 0, GL_DEPTH_ATTACHMENT);
+    glViewport(0, 0, 8, 8);
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    fill(0.5f);
+    EXPECT_NEAR(depth_at(4, 4), 0.75f, 1e-6);
+    EXPECT_GL_ERROR(GL_NO_ERROR);
+    pixel_at(4, 4);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION) << "there are no colours";
+    glCopyPixels(0, 0, 4, 4, GL_COLOR);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION);
 }
 
 TEST(GlFramebuffers, IncompleteOnesAreNotDrawnToOrRead) {
@@ -143,6 +163,10 @@ TEST(GlFramebuffers, QueriesTellWhatIsAttached) {
     EXPECT_EQ(attachment_value(GL_FRONT_LEFT, type), GL_FRAMEBUFFER_DEFAULT);
     new_framebuffer();
     EXPECT_EQ(attachment_value(GL_COLOR_ATTACHMENT0, type), GL_NONE);
+    EXPECT_EQ(attachment_value(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME), 0);
+    EXPECT_GL_ERROR(GL_NO_ERROR);
+    EXPECT_EQ(attachment_value(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE), -1);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION);
     attach_texture(color);
     attach_renderbuffer(pair, GL_DEPTH_STENCIL_ATTACHMENT);
     EXPECT_EQ(attachment_value(GL_COLOR_ATTACHMENT0, type), GL_TEXTURE);
