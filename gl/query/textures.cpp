@@ -78,6 +78,17 @@ std::optional<QueryValues> tex_parameter_values(const Context& context, GLenum t
     return std::nullopt;
 }
 
+/// Alphas of blocks have less bits than texels.
+int alpha_bits(const Context& context, GLint internal_format) {
+    switch (internal_format) {
+        case GL_COMPRESSED_RGBA_S3TC_DXT1_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT: return 1;
+        case GL_COMPRESSED_RGBA_S3TC_DXT3_EXT:
+        case GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT: return 4;
+    }
+    return texel_bits(context.profile);
+}
+
 /// The bits that the machine keeps of a component that the format has.
 int component_bits(const Context& context, const TextureImage& image, GLenum pname) {
     const GLenum base = image.width == 0 ? 0 : base_format(image.internal_format);
@@ -92,6 +103,7 @@ int component_bits(const Context& context, const TextureImage& image, GLenum pna
         return is_depths(image.internal_format) ? context.profile.depth_bits : 0;
     if (pname == GL_TEXTURE_STENCIL_SIZE)
         return base == GL_DEPTH_STENCIL ? context.profile.stencil_bits : 0;
+    if (has && pname == GL_TEXTURE_ALPHA_SIZE) return alpha_bits(context, image.internal_format);
     return has ? texel_bits(context.profile) : 0;
 }
 
@@ -111,9 +123,7 @@ std::optional<QueryValues> tex_level_values(const Context& context, const ImageP
         case GL_TEXTURE_BORDER: return whole(image.border);
         case GL_TEXTURE_INTERNAL_FORMAT: return whole(image.internal_format);
         case GL_TEXTURE_COMPRESSED: return whole(image.blocks != nullptr);
-        case GL_TEXTURE_COMPRESSED_IMAGE_SIZE:
-            if (!image.blocks) return std::nullopt;
-            return whole(image.blocks->size());
+        case GL_TEXTURE_COMPRESSED_IMAGE_SIZE: return whole(image.blocks->size());
         case GL_TEXTURE_RED_SIZE:
         case GL_TEXTURE_GREEN_SIZE:
         case GL_TEXTURE_BLUE_SIZE:
@@ -131,6 +141,8 @@ void get_tex_level(Context& context, GLenum target, GLint level, GLenum pname, T
     const auto place = place_of(context.profile, target);
     if (!place) return set_error(context, GL_INVALID_ENUM);
     if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE && !level_image(context, *place, level).blocks)
+        return set_error(context, GL_INVALID_OPERATION);
     get(context, tex_level_values(context, *place, level, pname), params);
 }
 

@@ -7,19 +7,6 @@
 
 namespace gw::gl {
 
-namespace {
-
-bool is_compressed(GLint format) {
-    const auto is_in = [format](GLint first, GLint last) {
-        return format >= first && format <= last;
-    };
-    return is_in(GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) ||
-           is_in(GL_COMPRESSED_ALPHA, GL_COMPRESSED_RGBA) ||
-           is_in(GL_COMPRESSED_SRGB, GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT);
-}
-
-}  // namespace
-
 int depth_bits_of(const Profile& profile, GLint internal_format) {
     switch (internal_format) {
         case GL_DEPTH_COMPONENT16: return 16;

@@ -249,6 +249,15 @@ GLenum base_format(GLint internal_format) {
     return 0;
 }
 
+bool is_compressed(GLint internal_format) {
+    const auto is_in = [internal_format](GLint first, GLint last) {
+        return internal_format >= first && internal_format <= last;
+    };
+    return is_in(GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT5_EXT) ||
+           is_in(GL_COMPRESSED_ALPHA, GL_COMPRESSED_RGBA) ||
+           is_in(GL_COMPRESSED_SRGB, GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT);
+}
+
 bool is_srgb(GLint internal_format) {
     return internal_format >= GL_SRGB && internal_format <= GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT;
 }

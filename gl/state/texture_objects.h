@@ -37,10 +37,10 @@ constexpr int largest_texture(const Profile& p, std::size_t target = two_dimensi
 struct TextureImage {
     int width = 0, height = 0;  ///< with the border; 0: no image
     int border = 0;
-    GLint internal_format = 1;  ///< as it was given
+    GLint internal_format = 1;  ///< as it was given; see stored_format()
     /// 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first. Empty: none were given, fill() makes them.
     TexelValues texels;
-    /// As they were given compressed; null: they were not, or a part was replaced since.
+    /// Of a format of blocks; null: it is none, or the level was made of another one.
     std::shared_ptr<const std::vector<std::byte>> blocks;
     int depth = 1;  ///< slices, with the border
 
@@ -148,6 +148,9 @@ GLenum base_format(GLint internal_format);
 inline constexpr std::array<GLenum, 3> compressed_texture_formats{GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
                                                                   GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
                                                                   GL_COMPRESSED_RGBA_S3TC_DXT5_EXT};
+
+/// Whether an internal format is compressed: one of blocks, or one for which the library may choose.
+bool is_compressed(GLint internal_format);
 
 /// Whether R, G, B of an internal format are encoded as in sRGB.
 bool is_srgb(GLint internal_format);

@@ -1,10 +1,11 @@
 // CompressedTexImage and CompressedTexSubImage: blocks become texels when they are given. [GL13] 3.8.3
+#include "gl/texture/compressed.h"
+
 #include "gl/api/calls.h"
 #include "gl/api/convert.h"
 #include "gl/context/context.h"
 #include "gl/context/current.h"
 #include "gl/pixels/memory.h"
-#include "gl/texture/image_places.h"
 #include "gl/texture/s3tc.h"
 
 #include <algorithm>
@@ -33,7 +34,49 @@ std::vector<std::byte> with_blocks(const BlockFormat& format, const TextureImage
     return out;
 }
 
+/// Replaces the blocks of a part, and its texels.
+void replace_blocks(Context& context, const ReplacedPart& part, const BlockFormat& format,
+                    std::span<const std::byte> blocks) {
+    const Rect& rect = part.box.rect;
+    auto all = std::make_shared<const std::vector<std::byte>>(
+        with_blocks(format, part.image(), rect, blocks));
+    replace(context, part, decoded(format, rect.width, rect.height, blocks));
+    part.image().blocks = std::move(all);
+}
+
 }  // namespace
+
+GLint stored_format(const ImageRequest& r, const ImagePlace& place) {
+    const bool has_blocks = dimensions_of(place) == 2 && r.border == 0 &&
+                            block_format(GLenum(r.internal_format)) != nullptr;
+    if (!is_compressed(r.internal_format) || has_blocks) return r.internal_format;
+    const GLenum base = base_format(r.internal_format);
+    if (!is_srgb(r.internal_format)) return GLint(base);
+    switch (base) {
+        case GL_RGB: return GL_SRGB;
+        case GL_RGBA: return GL_SRGB_ALPHA;
+        case GL_LUMINANCE: return GL_SLUMINANCE;
+    }
+    return GL_SLUMINANCE_ALPHA;
+}
+
+void compress(TextureImage& image) {
+    const BlockFormat* const format = block_format(GLenum(image.internal_format));
+    if (format == nullptr || image.width == 0) return;
+    const std::span<Rgba> colors = colors_of(image);
+    image.blocks = std::make_shared<const std::vector<std::byte>>(
+        encoded(*format, image.width, image.height, colors));
+    std::ranges::copy(decoded(*format, image.width, image.height, *image.blocks), colors.begin());
+}
+
+void replace_texels(Context& context, const ReplacedPart& part, std::span<const Rgba> colors) {
+    const TextureImage& image = part.image();
+    const Rect& rect = part.box.rect;
+    if (!image.blocks) return replace(context, part, colors);
+    if (!is_of_blocks(image, rect)) return set_error(context, GL_INVALID_OPERATION);
+    const BlockFormat& format = *block_format(GLenum(image.internal_format));
+    replace_blocks(context, part, format, encoded(format, rect.width, rect.height, colors));
+}
 
 HostImage compressed_blocks(GLenum format, GLsizei width, GLsizei height, GLsizei size,
                             const GLvoid* blocks) {
@@ -78,6 +121,8 @@ void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenu
     if (blocks.is_given()) {
         std::ranges::copy(decoded(*format, width, height, blocks.bytes), colors_of(image).begin());
         image.blocks = blocks.kept;
+    } else {
+        compress(image);
     }
     set_image(context, *place, level, std::move(image));
 }
@@ -96,10 +141,7 @@ void compressed_tex_sub_image_2d(Context& context, GLenum target, GLint level, G
     if (image_size < 0 || std::size_t(image_size) != blocks_size(*known, width, height))
         return set_error(context, GL_INVALID_VALUE);
     if (!blocks.is_given()) return;
-    auto all = std::make_shared<const std::vector<std::byte>>(
-        with_blocks(*known, image, rect, blocks.bytes));
-    replace(context, *part, decoded(*known, width, height, blocks.bytes));
-    part->image().blocks = std::move(all);
+    replace_blocks(context, *part, *known, blocks.bytes);
 }
 
 }  // namespace execute

@@ -7,7 +7,7 @@
 #include "gl/pixels/formats.h"
 #include "gl/pixels/read.h"
 #include "gl/pixels/transfer.h"
-#include "gl/texture/image_places.h"
+#include "gl/texture/compressed.h"
 
 #include "gw/base/arithmetic.h"
 #include "gw/texture.h"
@@ -54,10 +54,11 @@ GLenum texel_error(const Context& context, GLenum format, GLenum type) {
 }
 
 /// `dimensions`: of the call.
-void tex_image(Context& context, GLenum target, int dimensions, const ImageRequest& r,
-               GLenum format, GLenum type, const HostImage& host) {
+void tex_image(Context& context, GLenum target, int dimensions, ImageRequest r, GLenum format,
+               GLenum type, const HostImage& host) {
     const auto place = place_of(context.profile, target);
     if (!place || dimensions_of(*place) != dimensions) return set_error(context, GL_INVALID_ENUM);
+    r.internal_format = stored_format(r, *place);
     if (const GLenum error = texel_error(context, format, type)) return set_error(context, error);
     const GLenum error = request_error(context, r, *place);
     if (error == GL_NO_ERROR && !fits_format(format, r.internal_format))
@@ -68,6 +69,7 @@ void tex_image(Context& context, GLenum target, int dimensions, const ImageReque
     TextureImage image = black_image(r);
     if (host.is_given())
         store_texels(context, r.width, r.height * r.depth, format, type, host, colors_of(image));
+    compress(image);
     set_image(context, *place, r.level, std::move(image));
 }
 
@@ -81,7 +83,7 @@ void tex_sub_image(Context& context, GLenum target, int dimensions, GLint level,
     if (!host.is_given()) return;
     std::vector<Rgba> texels(box.size());
     store_texels(context, box.rect.width, box.rect.height * box.slices, format, type, host, texels);
-    replace(context, *part, texels);
+    replace_texels(context, *part, texels);
 }
 
 /// The drawable's pixels after transfer: colours, or depths for an image of them.
@@ -106,14 +108,14 @@ bool can_copy(Context& context, GLint internal_format) {
            (base == GL_DEPTH_COMPONENT || can_read(context, Plane::Stencil));
 }
 
-void copy_image(Context& context, GLenum target, int dimensions, const ImageRequest& r, GLint x,
-                GLint y) {
+void copy_image(Context& context, GLenum target, int dimensions, ImageRequest r, GLint x, GLint y) {
     const auto place = place_of(context.profile, target);
     if (!place || place->is_proxy || dimensions_of(*place) != dimensions)
         return set_error(context, GL_INVALID_ENUM);
     // [GL11] 3.8.2: the formats 1 to 4 are not among those of copies.
     if (r.internal_format >= 1 && r.internal_format <= 4)
         return set_error(context, GL_INVALID_ENUM);
+    r.internal_format = stored_format(r, *place);
     const GLenum error = request_error(context, r, *place);
     if (error != GL_NO_ERROR) return set_error(context, error);
     if (!can_copy(context, r.internal_format)) return;
@@ -121,6 +123,7 @@ void copy_image(Context& context, GLenum target, int dimensions, const ImageRequ
     TextureImage image = black_image(r);
     std::ranges::copy(copied_texels(context, {x, y, r.width, r.height}, r.internal_format),
                       colors_of(image).begin());
+    compress(image);
     set_image(context, *place, r.level, std::move(image));
 }
 
@@ -130,7 +133,7 @@ void copy_part(Context& context, GLenum target, int dimensions, GLint level, con
     if (!part || !can_copy(context, part->image().internal_format)) return;
     if (context.read_drawable == nullptr || box.size() == 0) return;
     const Rect from{x, y, box.rect.width, box.rect.height};
-    replace(context, *part, copied_texels(context, from, part->image().internal_format));
+    replace_texels(context, *part, copied_texels(context, from, part->image().internal_format));
 }
 
 }  // namespace

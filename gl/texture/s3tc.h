@@ -35,4 +35,10 @@ std::size_t blocks_size(const BlockFormat& format, GLsizei width, GLsizei height
 std::vector<Rgba> decoded(const BlockFormat& format, GLsizei width, GLsizei height,
                           std::span<const std::byte> blocks);
 
+/// The blocks of an image of such texels. A block's two colours are those of its texels that differ
+/// most, and each texel gets the nearest code. Alphas below 1/2 are the holes of formats that have one
+/// bit of it.
+std::vector<std::byte> encoded(const BlockFormat& format, GLsizei width, GLsizei height,
+                               std::span<const Rgba> texels);
+
 }  // namespace gw::gl
