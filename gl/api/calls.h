@@ -77,6 +77,9 @@ void buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeipt
 void get_buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeiptr size,
                          GLvoid* data);
 GLvoid* map_buffer(Context& context, GLenum target, GLenum access);
+GLvoid* map_buffer_range(Context& context, GLenum target, GLintptr offset, GLsizeiptr length,
+                         GLbitfield access);
+void flush_mapped_buffer_range(Context& context, GLenum target, GLintptr offset, GLsizeiptr length);
 GLboolean unmap_buffer(Context& context, GLenum target);
 void get_buffer_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params);
 void get_buffer_pointerv(Context& context, GLenum target, GLenum pname, GLvoid** params);

@@ -71,6 +71,7 @@ constexpr NamedExtension named_extensions[] = {
     {"GL_ARB_occlusion_query", {15, &Extensions::occlusion_query}},
     {"GL_ARB_vertex_buffer_object", {15, nullptr}},
     {"GL_ARB_pixel_buffer_object", {15, nullptr}},
+    {"GL_ARB_map_buffer_range", {15, nullptr}},
     {"GL_ARB_texture_non_power_of_two", {15, &Extensions::texture_sizes}},
     {"GL_ARB_framebuffer_object", {15, &Extensions::surfaces}},
     {"GL_EXT_framebuffer_blit", {15, &Extensions::surfaces}},

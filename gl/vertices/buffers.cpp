@@ -1,4 +1,5 @@
-// GenBuffers .. GetBufferPointerv. [GL15] 2.9. Usage is a hint; it changes nothing.
+// GenBuffers .. GetBufferPointerv. [GL15] 2.9, GL_ARB_map_buffer_range. Usage is a hint; it changes
+// nothing. A map is the buffer's own memory, so nothing waits and nothing is flushed.
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
 
@@ -42,6 +43,36 @@ bool is_usage(GLenum usage) {
     return (usage >= GL_STREAM_DRAW && usage <= GL_STREAM_COPY) ||
            (usage >= GL_STATIC_DRAW && usage <= GL_STATIC_COPY) ||
            (usage >= GL_DYNAMIC_DRAW && usage <= GL_DYNAMIC_COPY);
+}
+
+constexpr GLbitfield all_access = GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_RANGE_BIT |
+                                  GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_FLUSH_EXPLICIT_BIT |
+                                  GL_MAP_UNSYNCHRONIZED_BIT;
+
+/// Whether a map can be used so. What is read cannot be given up, and only what is written is flushed.
+bool is_access(GLbitfield access) {
+    const bool reads = (access & GL_MAP_READ_BIT) != 0, writes = (access & GL_MAP_WRITE_BIT) != 0;
+    constexpr GLbitfield not_read =
+        GL_MAP_INVALIDATE_RANGE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT | GL_MAP_UNSYNCHRONIZED_BIT;
+    return (reads || writes) && !(reads && (access & not_read) != 0) &&
+           (writes || (access & GL_MAP_FLUSH_EXPLICIT_BIT) == 0);
+}
+
+/// [GL15]'s word for how a map is used.
+GLenum access_word(GLbitfield access) {
+    if ((access & GL_MAP_WRITE_BIT) == 0) return GL_READ_ONLY;
+    return (access & GL_MAP_READ_BIT) == 0 ? GL_WRITE_ONLY : GL_READ_WRITE;
+}
+
+/// The memory of a range; null after an error.
+GLvoid* map(Context& context, BufferObject& buffer, const BufferObject::Range& range) {
+    if (buffer.is_mapped) return set_error(context, GL_INVALID_OPERATION), nullptr;
+    // A buffer without a store has nothing that could be mapped.
+    if (!buffer.bytes) return set_error(context, GL_OUT_OF_MEMORY), nullptr;
+    buffer.is_mapped = true;
+    buffer.mapped = range;
+    buffer.access = access_word(range.access);
+    return buffer.bytes.get() + range.offset;
 }
 
 /// [GL15] 2.9: bindings of a deleted buffer become 0, in this context.
@@ -158,12 +189,35 @@ GLvoid* map_buffer(Context& context, GLenum target, GLenum access) {
         return set_error(context, GL_INVALID_ENUM), nullptr;
     BufferObject* const buffer = bound_buffer(context, target);
     if (buffer == nullptr) return nullptr;
-    if (buffer->is_mapped) return set_error(context, GL_INVALID_OPERATION), nullptr;
-    // A buffer without a store has nothing that could be mapped.
-    if (!buffer->bytes) return set_error(context, GL_OUT_OF_MEMORY), nullptr;
-    buffer->is_mapped = true;
-    buffer->access = access;
-    return buffer->bytes.get();
+    const GLbitfield bits = access == GL_READ_ONLY    ? GL_MAP_READ_BIT
+                            : access == GL_WRITE_ONLY ? GL_MAP_WRITE_BIT
+                                                      : GL_MAP_READ_BIT | GL_MAP_WRITE_BIT;
+    return map(context, *buffer, {0, buffer->size, bits});
+}
+
+GLvoid* map_buffer_range(Context& context, GLenum target, GLintptr offset, GLsizeiptr length,
+                         GLbitfield access) {
+    const auto lock = context.shared->exclusive();
+    BufferObject* const buffer = bound_buffer(context, target);
+    if (buffer == nullptr) return nullptr;
+    if (offset < 0 || length < 0 || !buffer->holds(std::size_t(offset), std::size_t(length)) ||
+        (access & ~all_access) != 0)
+        return set_error(context, GL_INVALID_VALUE), nullptr;
+    if (length == 0 || !is_access(access)) return set_error(context, GL_INVALID_OPERATION), nullptr;
+    return map(context, *buffer, {std::size_t(offset), std::size_t(length), access});
+}
+
+void flush_mapped_buffer_range(Context& context, GLenum target, GLintptr offset,
+                               GLsizeiptr length) {
+    const auto lock = context.shared->exclusive();
+    const BufferObject* const buffer = bound_buffer(context, target);
+    if (buffer == nullptr) return;
+    const BufferObject::Range& range = buffer->mapped;
+    if (!buffer->is_mapped || (range.access & GL_MAP_FLUSH_EXPLICIT_BIT) == 0)
+        return set_error(context, GL_INVALID_OPERATION);
+    const auto from = std::size_t(offset), size = std::size_t(length);
+    if (offset < 0 || length < 0 || from > range.length || size > range.length - from)
+        set_error(context, GL_INVALID_VALUE);
 }
 
 GLboolean unmap_buffer(Context& context, GLenum target) {
@@ -200,7 +254,7 @@ void get_buffer_pointerv(Context& context, GLenum target, GLenum pname, GLvoid**
         return set_error(context, GL_INVALID_ENUM);
     BufferObject* const buffer = bound_buffer(context, target);
     if (buffer == nullptr || params == nullptr) return;
-    *params = buffer->is_mapped ? buffer->bytes.get() : nullptr;
+    *params = buffer->is_mapped ? buffer->bytes.get() + buffer->mapped.offset : nullptr;
 }
 
 }  // namespace execute
