@@ -15,14 +15,6 @@
 namespace gw::python {
 namespace {
 
-const render::Sweep& sweep_named(const std::string& word) {
-    if (word == render::no_sweep().name) return render::no_sweep();
-    std::vector<std::string> names{render::no_sweep().name};
-    for (const render::Sweep& sweep : render::sweeps()) names.push_back(sweep.name);
-    render::one_of("sweep", word, names);
-    return *std::ranges::find(render::sweeps(), word, &render::Sweep::name);
-}
-
 py::dict counts_of(const render::StudyRow& row, const render::Cost& cost) {
     py::dict counts;
     counts["triangles"] = row.triangles;
@@ -71,7 +63,7 @@ py::list pass_study(const scene::Scene& scene, const std::string& sweep_name,
                     const std::optional<std::vector<int>>& values, int width, int height,
                     const Profile& profile, int depth, int runs, int threads,
                     const std::vector<std::string>& price_files) {
-    const render::Sweep& sweep = sweep_named(sweep_name);
+    const render::Sweep& sweep = render::sweep_named(sweep_name);
     render::Request request;
     render::set(request, "size", std::to_string(width) + "x" + std::to_string(height));
     render::set(request, "depth", std::to_string(depth));

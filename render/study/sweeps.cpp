@@ -153,6 +153,13 @@ const Sweep& no_sweep() {
     return none;
 }
 
+const Sweep& sweep_named(const std::string& name) {
+    std::vector<std::string> names{no_sweep().name};
+    for (const Sweep& sweep : sweeps()) names.push_back(sweep.name);
+    one_of("sweep", name, names);
+    return name == no_sweep().name ? no_sweep() : *std::ranges::find(sweeps(), name, &Sweep::name);
+}
+
 StudyRow measured(const Sweep& sweep, int value, const Drawing& drawing, int runs,
                   const std::function<void(const std::string&)>& say) {
     const Drawing d = sweep.at(drawing, value);

@@ -43,6 +43,9 @@ const std::vector<Sweep>& sweeps();
 /// The drawing alone: a sweep "scene" of one row.
 const Sweep& no_sweep();
 
+/// One of sweeps(), or no_sweep(). Throws OptionError for another name.
+const Sweep& sweep_named(const std::string& name);
+
 /// Draws the row at this value. Throws OptionError if the profile cannot superpose the samples, Error
 /// if a scene gets too large.
 StudyRow measured(const Sweep& sweep, int value, const Drawing& drawing, int runs,

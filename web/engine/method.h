@@ -2,7 +2,7 @@
 // so a new method is one file. Does not know JavaScript: engine.cpp does.
 #pragma once
 
-#include "web/engine/lab_session.h"
+#include "web/engine/session/lab_session.h"
 
 #include <functional>
 #include <string>

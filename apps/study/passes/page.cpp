@@ -47,7 +47,7 @@ std::string methods_html(const PassStudy& study) {
 }
 
 std::string sweep_html(const PassStudy& study, const std::string& name) {
-    std::string html = "<h2>By " + escaped(sweep_named(name).label) + "</h2>\n";
+    std::string html = "<h2>By " + escaped(render::sweep_named(name).label) + "</h2>\n";
     for (const StudyPlot& p : plots(study, name))
         html += fmt::format("<a href=\"{0}.svg\"><img src=\"{0}.svg\" alt=\"{1}\"></a>\n", p.name,
                             escaped(p.plot.title));

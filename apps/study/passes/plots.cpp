@@ -182,14 +182,8 @@ void add_crossings(const PassStudy& study, const Places& places, const std::stri
 
 }  // namespace
 
-const render::Sweep& sweep_named(const std::string& name) {
-    const auto& all = render::sweeps();
-    const auto found = std::ranges::find(all, name, &render::Sweep::name);
-    return found == all.end() ? render::no_sweep() : *found;
-}
-
 std::vector<StudyPlot> plots(const PassStudy& study, const std::string& name) {
-    const render::Sweep& sweep = sweep_named(name);
+    const render::Sweep& sweep = render::sweep_named(name);
     const Places places = study.rows_of(name);
     std::vector<StudyPlot> all;
     if (places.size() < 2) return all;
@@ -206,7 +200,7 @@ std::vector<std::string> crossings(const PassStudy& study, const std::string& na
     std::vector<std::string> lines;
     const Places places = study.rows_of(name);
     if (places.size() < 2) return lines;
-    const std::string& label = sweep_named(name).label;
+    const std::string& label = render::sweep_named(name).label;
     for (std::size_t l = 0; l < study.lists.size(); ++l)
         add_crossings(
             study, places, label, "at prices of " + study.lists[l].name,
@@ -219,7 +213,7 @@ std::vector<std::string> crossings(const PassStudy& study, const std::string& na
 }
 
 std::vector<std::vector<std::string>> table_of(const PassStudy& study, const std::string& name) {
-    std::vector<std::vector<std::string>> lines{{sweep_named(name).label, "g %", "passes",
+    std::vector<std::vector<std::string>> lines{{render::sweep_named(name).label, "g %", "passes",
                                                  "fragments", "rays, item buffer", "ordinary",
                                                  "1 + 1/g"}};
     for (const report::PriceList& list : study.lists) lines[0].push_back("gain " + list.name);

@@ -24,7 +24,4 @@ std::vector<std::vector<std::string>> table_of(const PassStudy& study, const std
 /// The page with plots, tables, prices and how it was measured.
 std::string page(const PassStudy& study);
 
-/// "lights" for the axis of a plot; the sweep's own row says "the scene".
-const render::Sweep& sweep_named(const std::string& name);
-
 }  // namespace gw::study

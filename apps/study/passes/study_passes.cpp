@@ -36,7 +36,7 @@ std::vector<std::string> sweep_words() {
 SweepPlan plan_from(const std::string& words) {
     const std::size_t equals = words.find('=');
     const std::string name = one_of("--sweep", words.substr(0, equals), sweep_words());
-    const render::Sweep& sweep = *std::ranges::find(render::sweeps(), name, &render::Sweep::name);
+    const render::Sweep& sweep = render::sweep_named(name);
     if (equals == words.npos) return {&sweep, sweep.values, true};
     SweepPlan plan{&sweep, {}, true};
     for (std::size_t from = equals + 1;;) {
@@ -168,7 +168,8 @@ private:
 
 void print_study(const study::PassStudy& study) {
     for (const std::string& name : study.sweep_names()) {
-        print("By " + study::sweep_named(name).label + ":\n" + table(study::table_of(study, name)));
+        print("By " + render::sweep_named(name).label + ":\n" +
+              table(study::table_of(study, name)));
         for (const std::string& line : study::crossings(study, name)) print(line + "\n");
         print("\n");
     }

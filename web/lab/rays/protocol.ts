@@ -119,6 +119,41 @@ export interface VisitFacts {
   readonly object?: string;
 }
 
+export interface SweepFacts {
+  readonly name: string;
+  readonly values: readonly number[];
+  /** Of a plot's axis; 0: linear. */
+  readonly log: number;
+  /** Why the scene has no such sweep; '': it has. */
+  readonly refusal: string;
+}
+
+/** Seconds, or a ratio, at the prices of a list. */
+export interface Estimate {
+  readonly list: string;
+  readonly value: number;
+  readonly low: number;
+  readonly high: number;
+}
+
+export interface SweepRow {
+  /** Measured: percent of pixels that are glossy, triangles, pixels, ... */
+  readonly x: number;
+  /** Of the pixels, those whose reflections are traced. */
+  readonly share: number;
+  readonly methods: readonly {
+    readonly name: string;
+    readonly passes: number;
+    readonly fragments: number;
+    readonly rays: number;
+    /** In this browser. */
+    readonly seconds: number;
+    readonly estimates: readonly Estimate[];
+  }[];
+  /** Ordinary ray tracing over the item buffer. */
+  readonly gains: readonly Estimate[];
+}
+
 export interface InsideOptions {
   readonly corners: readonly (readonly number[])[];
   readonly columns: number;
@@ -155,5 +190,7 @@ declare module '../machine/protocol' {
     cast(options: CastOptions): CastRun;
     visits(options: CastOptions & { readonly x: number; readonly y: number }): VisitFacts;
     inside(options: InsideOptions): InsideFacts;
+    sweeps(options: RaysOptions): { readonly sweeps: readonly SweepFacts[] };
+    sweep_row(options: RaysOptions & { readonly sweep: string; readonly value: number }): SweepRow;
   }
 }

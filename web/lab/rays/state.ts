@@ -13,14 +13,18 @@ export interface RaysState {
   ordinary: boolean;
   /** From where the rays are seen; none: from outside. */
   from: Point | undefined;
-  /** Which part below the pictures is open: 'cast', 'inside', both or none. */
+  /** Which parts below the pictures are open. */
   open: string[];
+  /** What the sweep varies. */
+  sweep: string;
   method: string;
   inside: string;
   polygon: Corner[];
 }
 
 export const mostDepth = 10;
+export const openParts = ['sweep', 'cast', 'inside'];
+export const sweeps = ['lights', 'samples', 'share', 'polygons', 'resolution', 'depth'] as const;
 export const shows = ['picture', 'identifiers', 'traced', 'reasons'] as const;
 export const methods = ['brute-force', 'volumes', 'hierarchy', 'grid'] as const;
 export const insideTests = ['crossings', 'products', 'angles'] as const;
@@ -65,7 +69,8 @@ export const raysState: ExhibitState<RaysState> = {
       show: known(parts.get('show'), shows),
       ordinary: parts.get('ray') === 'ordinary',
       from: pointFrom(parts.get('from')),
-      open: (parts.get('open') ?? '').split(',').filter((w) => w === 'cast' || w === 'inside'),
+      open: (parts.get('open') ?? '').split(',').filter((w) => openParts.includes(w)),
+      sweep: known(parts.get('sweep'), sweeps),
       method: known(parts.get('method'), methods, 'grid'),
       inside: known(parts.get('inside'), insideTests),
       polygon: polygonFrom(parts.get('polygon')),
@@ -77,6 +82,7 @@ export const raysState: ExhibitState<RaysState> = {
     if (choices.ordinary) parts.set('ray', 'ordinary');
     if (choices.from) parts.set('from', choices.from.join(','));
     if (choices.open.length > 0) parts.set('open', choices.open.join(','));
+    if (choices.sweep !== 'lights') parts.set('sweep', choices.sweep);
     if (choices.method !== 'grid') parts.set('method', choices.method);
     if (choices.inside !== 'crossings') parts.set('inside', choices.inside);
     const polygon = choices.polygon.flat().join(',');

@@ -1,4 +1,4 @@
-#include "web/engine/lab_session.h"
+#include "web/engine/session/lab_session.h"
 
 #include "gw/error.h"
 #include "inspect/manifest/json_of.h"

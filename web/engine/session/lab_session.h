@@ -88,6 +88,12 @@ public:
     Json reasons(const Json& options);
     /// The rays of the pixel `x`, `y` of identifiers(); `ordinary`: of the ordinary ray tracer.
     Json path(const Json& options);
+    /// The sweeps of `gw study passes` that the scene has: name, values, base of a logarithmic axis
+    /// (0: linear), and why it has none.
+    Json sweeps(const Json& options);
+    /// The scene at `value` of the sweep `sweep`, drawn by all methods: the options of rays(). Answers
+    /// counts, processor seconds and estimates at every price list.
+    Json sweep_row(const Json& options);
     /// The scene from the eye `from`, else from outside, without faces that look away. Answers that
     /// eye and the matrix from world to clip space.
     Json outside(const Json& options);
