@@ -104,6 +104,7 @@ std::vector<std::string> load_textures(scene::Scene& scene) {
             {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd},
             {"map_Ks", &material.map_Ks}, {"map_Ke", &material.map_Ke},
             {"refl", &material.refl},     {"refraction", &material.refraction},
+            {"map_d", &material.map_d},   {"metallicRoughnessTexture", &material.map_metal},
         };
         for (const auto& [statement, maps] : lists)
             for (scene::Map& map : *maps) {

@@ -41,19 +41,30 @@ struct Map {
     TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)
 };
 
+struct Physical;
+
 /// MTL's material in MTL's words [K2, K3]. A component may have several maps: its pass is repeated
 /// for each [K3.1].
 struct Material {
     std::string name;
     vec3 Ka{0.2f, 0.2f, 0.2f}, Kd{0.8f, 0.8f, 0.8f}, Ks{0, 0, 0}, Ke{0, 0, 0};
     float Ns = 0;
-    float Ni = 1;      ///< index of refraction
-    float d = 1;       ///< opacity (1 - Tr)
-    vec3 Tf{1, 1, 1};  ///< transmission filter
-    int illum = 2;     ///< 3 and up: ray-traced reflection
+    float Ni = 1;  ///< index of refraction
+    float d = 1;   ///< opacity (1 - Tr)
+    /// Opacity that varies [GLTF2 3.9.4]: d times the alpha of a map, if there is one, and of the mesh's
+    /// colours. maps/finish.h cuts objects by it; what draws a scene finds none.
+    std::vector<Map> map_d;
+    bool vertex_d = false;
+    std::optional<float> d_cutoff;  ///< the product without d is 1 from here on, else 0
+    vec3 Tf{1, 1, 1};               ///< transmission filter
+    int illum = 2;                  ///< 3 and up: ray-traced reflection
     std::vector<Map> map_Ka, map_Kd, map_Ks, map_Ke;
     std::vector<Map> refl;        ///< sphere maps for the reflection component
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
+    /// One of whose texels G multiplies the roughness and B the metallic part of the surface
+    /// [GLTF2 3.9.2]; maps/finish.h makes Kd, Ks, Ns and their maps of it.
+    std::vector<Map> map_metal;
+    std::shared_ptr<const Physical> physical;  ///< that surface; null: there is no such map
 };
 
 /// Light around a self-luminous object: its picture, superposed at places over a range in the
@@ -89,7 +100,9 @@ struct Object {
     dvec3 move{0};               ///< how far it moves while the shutter is open, world units [K1]
     std::optional<Glare> glare;  ///< of an object that emits
     bool casts_shadow = true;    ///< false: light goes through it, as through translucent ones
-    PixmapChoice pixmap;         ///< [F2.1]
+    /// Whether faces that turn their clockwise side to the eye are not drawn. They cast shadows.
+    bool single_sided = false;
+    PixmapChoice pixmap;  ///< [F2.1]
 };
 
 enum class LightKind { Directional, Point, Spot };

@@ -7,6 +7,7 @@
 #include "image/textures.h"
 #include "multipass/passes/pass_toml.h"
 #include "render/options.h"
+#include "scene/maps/finish.h"
 #include "scene/toml/read_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -26,8 +27,8 @@ auto as_usage(const Work& work) {
 
 void add_textures(image::InputFiles& inputs, const scene::Scene& scene) {
     for (const scene::Material& m : scene.materials)
-        for (const auto* maps :
-             {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+        for (const auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.map_d, &m.map_metal,
+                                 &m.refl, &m.refraction})
             for (const scene::Map& map : *maps)
                 if (!map.bytes) inputs.add(map.file);
 }
@@ -60,6 +61,9 @@ render::SceneInput read_input(const PictureOptions& options, Session& session) {
     if (!file.passes.empty()) passes = multipass::read_passes(file.passes);
     std::vector<std::string> lines = std::move(file.warnings);
     for (std::string& line : image::load_textures(file.scene)) lines.push_back(std::move(line));
+    scene::Warnings warnings;
+    scene::finish(file.scene, file.film, warnings);
+    for (const std::string& line : warnings.lines()) lines.push_back(line);
     if (!options.quiet) print_warnings(lines);
     for (const std::filesystem::path& read : file.files) session.inputs.add(read);
     add_textures(session.inputs, file.scene);

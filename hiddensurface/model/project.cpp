@@ -63,6 +63,7 @@ void add_triangles(const Placed& p, const Triangle& t, std::uint32_t ordinal, Po
         const std::size_t i = fan.first, j = (fan.first + k) % n, l = (fan.first + k + 1) % n;
         const std::int64_t area = area2(points[i], points[j], points[l]);
         if (area == 0 || (area > 0) != (fan.area2 > 0)) continue;
+        if (p.object.single_sided && area < 0) continue;
         const std::array<GridPoint, 3> piece{corners[i], corners[j], corners[l]};
         polygon.triangles.push_back(
             {piece, depth_plane(piece, p.profile.subpixel_bits, p.profile.depth_bits), ordinal});

@@ -155,8 +155,10 @@ void draw_first_come(CommandList& list, const PlacedModel& placed, const Step& s
         const Part& part = placed.model->parts[portion.part];
         if (part.translucent && !concerns(step, part, *placed.model)) continue;
         const TextureState lookup = lookup_of(placed, step, portion.part);
-        if (!set || !(lookup == state.texture)) {
+        const CullState& cull = placed.cull[portion.part];
+        if (!set || !(lookup == state.texture) || cull != state.cull) {
             state.texture = lookup;
+            state.cull = cull;
             list.add(SetState{state});
             set = true;
         }

@@ -40,9 +40,15 @@ State fragment_state(const PlacedModel& placed, const StencilState& stencil, boo
     return state;
 }
 
-void draw_translucent(CommandList& list, const PlacedModel& placed) {
-    for (std::size_t i = 0; i < placed.model->parts.size(); ++i)
-        if (placed.model->parts[i].translucent) list.add(black_draw(placed, {.part = i}));
+void draw_translucent(CommandList& list, const PlacedModel& placed, State state) {
+    for (std::size_t i = 0; i < placed.model->parts.size(); ++i) {
+        if (!placed.model->parts[i].translucent) continue;
+        if (placed.cull[i] != state.cull) {
+            state.cull = placed.cull[i];
+            list.add(SetState{state});
+        }
+        list.add(black_draw(placed, {.part = i}));
+    }
 }
 
 void clear(CommandList& list, PlaneMask planes) { list.add(Clear{.planes = planes, .depth = 0}); }
@@ -52,9 +58,10 @@ std::vector<std::uint32_t> count_fragments(Machine& machine, const PlacedModel& 
                                            std::vector<std::uint32_t>& opaque) {
     CommandList list;
     list.add(BeginPass{.name = "count layers"});
-    list.add(SetState{fragment_state(placed, {.test = true, .zpass = StencilOp::Incr}, false)});
+    const State state = fragment_state(placed, {.test = true, .zpass = StencilOp::Incr}, false);
+    list.add(SetState{state});
     clear(list, mask_of(Plane::Stencil));
-    draw_translucent(list, placed);
+    draw_translucent(list, placed, state);
     list.add(Read{.key = 0, .plane = Plane::Depth, .rect = window(placed)});
     list.add(Read{.key = 1, .plane = Plane::Stencil, .rect = window(placed)});
     machine.execute(list);
@@ -72,10 +79,10 @@ void draw_fragment(CommandList& list, const PlacedModel& placed, std::uint32_t o
                                .fail = StencilOp::Incr,
                                .zfail = StencilOp::Incr,
                                .zpass = StencilOp::Incr};
-    begin_pass(list, "layer Z " + std::to_string(ordinal + 1),
-               fragment_state(placed, stencil, true));
+    const State state = fragment_state(placed, stencil, true);
+    begin_pass(list, "layer Z " + std::to_string(ordinal + 1), state);
     clear(list, PlaneMask(mask_of(Plane::Stencil) | mask_of(Plane::Depth)));
-    draw_translucent(list, placed);
+    draw_translucent(list, placed, state);
     list.add(Read{.key = ordinal, .plane = Plane::Depth, .rect = window(placed)});
 }
 

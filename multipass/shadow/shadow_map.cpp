@@ -173,7 +173,8 @@ std::vector<ShadowMap> draw_shadow_maps(Machine& machine, const PassModel& model
     const std::uint32_t farthest = max_of_bits(machine.profile().depth_bits);
     std::vector<ShadowMap> maps;
     for (const scene::View& view : views) {
-        const PlacedModel placed = place_model(model, view);
+        PlacedModel placed = place_model(model, view);
+        placed.cull.assign(placed.cull.size(), {});  // both sides cast shadows
         const int size = view.width;
         ShadowMap map{
             .view = view,

@@ -125,6 +125,7 @@ void draw_step(CommandList& list, StateWriter& states, const PlacedModel& placed
                State state, const FrameRules& rules) {
     for (const Portion& portion : portions(placed, step)) {
         state.texture = lookup_of(placed, step, portion.part);
+        state.cull = placed.cull[portion.part];
         states.set(state);
         list.add(draw_of(placed, step, portion));
         cut_if_long(list, rules);

@@ -53,8 +53,10 @@ void generate_coordinates(PlacedModel& placed) {
 PlacedModel place_model(const PassModel& model, const scene::View& view) {
     PlacedModel placed{.model = &model, .view = view, .state = scene::view_state(view)};
     placed.eye_from_object.reserve(model.parts.size());
-    for (const Part& part : model.parts)
+    for (const Part& part : model.parts) {
         placed.eye_from_object.push_back(scene::placed(*part.object, view).eye_from_object);
+        placed.cull.push_back(scene::cull_of(*part.object));
+    }
     for (const scene::Light& light : model.scene->lights)
         placed.lights.push_back(
             std::make_shared<const std::vector<Light>>(1, scene::eye_light(light, view)));

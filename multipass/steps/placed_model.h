@@ -35,6 +35,7 @@ struct PlacedModel {
     std::vector<LightsRef> lights;       ///< by light: a list with this light alone
     LightsRef every_light;               ///< all lights in one list; null: there are none
     std::vector<dvec3> glare;            ///< by part: the displacement of its glare, eye space
+    std::vector<CullState> cull;         ///< by part
     /// By part and map: meshes with texture coordinates for reflection and refraction maps, for
     /// orthographic views. The machine's assume an eye at a finite distance.
     std::map<std::pair<std::size_t, const MappedMesh*>, MeshRef> generated;

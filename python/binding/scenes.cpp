@@ -8,6 +8,8 @@
 #include "python/binding/interpreter/warn.h"
 #include "python/binding/module.h"
 #include "scene/draw/fit.h"
+#include "scene/geometry/mirrored_faces.h"
+#include "scene/maps/finish.h"
 #include "scene/scene_builder.h"
 #include "scene/toml/read_scene.h"
 
@@ -23,6 +25,9 @@ Scene open_scene(const std::filesystem::path& file) {
         scene::SceneFile loaded = scene::read_scene(file);
         for (std::string& warning : image::load_textures(loaded.scene))
             loaded.warnings.push_back(std::move(warning));
+        scene::Warnings warnings;
+        scene::finish(loaded.scene, warnings);
+        for (const std::string& line : warnings.lines()) loaded.warnings.push_back(line);
         return loaded;
     });
     if (read.origin != dvec3(0))
@@ -47,8 +52,9 @@ void add_object(Scene& scene, const std::string& name, const Mesh& mesh,
     std::uint32_t next = next_polygon(scene);
     scene::Object object;
     object.name = name;
-    object.mesh = scene::make_numbered_mesh(mesh.data(), next);
     if (world_from_object) object.world_from_object = *world_from_object;
+    object.mesh = scene::make_numbered_mesh(
+        scene::is_mirrored(object.world_from_object) ? scene::reversed(mesh) : mesh.data(), next);
     object.casts_shadow = casts_shadow;
     object.material = scene.materials.size();
     scene.materials.push_back(material);

@@ -22,6 +22,13 @@ bool casts(const scene::Scene& scene, const scene::Object& object) {
     return object.casts_shadow && !(scene.materials[object.material].d < 1);
 }
 
+std::vector<bool> single_sided(const scene::Scene& scene) {
+    std::vector<bool> list;
+    for (const scene::Object& object : scene.objects) list.push_back(object.single_sided);
+    if (std::ranges::find(list, true) == list.end()) list.clear();
+    return list;
+}
+
 double size_of(const scene::Scene& scene) {
     const scene::Bounds b = scene::bounds(scene);
     double size = 0;
@@ -53,9 +60,10 @@ bool same_plane(const dvec3& m, const dvec3& n) {
 /// Tests triangles in double and keeps the nearest, with all triangles that are as near.
 class NearestTest : public TriangleTest {
 public:
-    NearestTest(const scene::WorldTriangles& triangles, const Ray& ray, double high, double size,
-                std::uint32_t from)
+    NearestTest(const scene::WorldTriangles& triangles, const std::vector<bool>& single_sided,
+                const Ray& ray, double high, double size, std::uint32_t from)
         : triangles_(triangles),
+          single_sided_(single_sided),
           ray_(ray),
           crossing_(ray, size),
           high_(high),
@@ -89,6 +97,9 @@ private:
         const auto at = crossing_.cross(triangles_.corners(number));
         if (!at || !(at->t > low_ && at->t < high_)) return {};
         if (std::abs(at->height) < nearest_plane_ * length(at->normal)) return {};
+        const bool back = dot3(at->normal, ray_.direction) > 0;
+        if (back && !single_sided_.empty() && single_sided_[triangles_.object_of(number)])
+            return {};
         return {at->t, at->normal, number};
     }
 
@@ -118,6 +129,7 @@ private:
     }
 
     const scene::WorldTriangles& triangles_;
+    const std::vector<bool>& single_sided_;
     const Ray& ray_;
     CrossingTest crossing_;
     double low_ = 0, high_;
@@ -150,7 +162,8 @@ std::vector<HierarchyTriangle> hierarchy_triangles(const scene::WorldTriangles& 
     return list;
 }
 
-World::World(const scene::Scene& scene, int threads) : triangles_(scene), size_(size_of(scene)) {
+World::World(const scene::Scene& scene, int threads)
+    : triangles_(scene), single_sided_(single_sided(scene)), size_(size_of(scene)) {
     const std::vector<HierarchyTriangle> all = hierarchy_triangles(triangles_);
     all_ = Hierarchy(all, threads);
     if (!std::all_of(scene.objects.begin(), scene.objects.end(),
@@ -160,7 +173,7 @@ World::World(const scene::Scene& scene, int threads) : triangles_(scene), size_(
 
 std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high, std::uint32_t from,
                                                    SearchCounts* counts) const {
-    NearestTest test(triangles_, ray, high, size_, from);
+    NearestTest test(triangles_, single_sided_, ray, high, size_, from);
     Met met;
     for (;;) {
         all_.find(rounded(ray, high, size_, from), test);
@@ -173,7 +186,8 @@ std::optional<scene::TrianglePoint> World::nearest(const Ray& ray, double high, 
 }
 
 bool World::occluded(const Ray& ray, double high, std::uint32_t from, SearchCounts* counts) const {
-    NearestTest test(triangles_, ray, high, size_, from);
+    static const std::vector<bool> none;
+    NearestTest test(triangles_, none, ray, high, size_, from);
     const Hierarchy& hierarchy = casting_ ? *casting_ : all_;
     hierarchy.find(rounded(ray, high, size_, from), test);
     add(test, counts);

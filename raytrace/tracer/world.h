@@ -39,6 +39,7 @@ private:
     scene::WorldTriangles triangles_;
     Hierarchy all_;
     std::optional<Hierarchy> casting_;  ///< none: all cast
+    std::vector<bool> single_sided_;    ///< by object; empty: none is
     double size_ = 0;                   ///< the largest coordinate, world units
 };
 

@@ -132,6 +132,10 @@ CommandList id_pass(const Scene& scene, const View& view, const IdPass& options)
     const PolygonIds ids = polygon_ids(scene);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         if (options.opaque_only && scene.materials[scene.objects[i].material].d < 1) continue;
+        if (const CullState cull = cull_of(scene.objects[i]); cull != state.cull) {
+            state.cull = cull;
+            list.add(SetState{state});
+        }
         Draw draw = placed(scene.objects[i], view);
         draw.id_base = ids.first[i] - ids.lowest[i];  // modulo 2^32
         draw.id_shift = options.shift;

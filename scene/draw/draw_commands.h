@@ -25,6 +25,9 @@ inline bool is_orthographic(const View& view) {
 /// An object's mesh in eye space, without material, lights or map.
 Draw placed(const Object& object, const View& view);
 
+/// Back faces of a single-sided object.
+inline CullState cull_of(const Object& object) { return {.enable = object.single_sided}; }
+
 /// A light in eye space. Its highlight colour is Is, or Id if the light has no Is.
 gw::Light eye_light(const Light& light, const View& view);
 

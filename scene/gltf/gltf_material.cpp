@@ -12,8 +12,6 @@ namespace gw::scene {
 namespace {
 
 constexpr Range unit_range{0, 1};
-/// F0 of a dielectric of index 1.5.
-constexpr double dielectric = 0.04;
 
 dvec3 color_of(const std::optional<JsonValue>& value, const dvec3& standard,
                Range range = unit_range) {
@@ -25,39 +23,6 @@ dvec3 color_of(const std::optional<JsonValue>& value, const dvec3& standard,
 
 double number_of(const std::optional<JsonValue>& value, double standard, Range range = unit_range) {
     return value ? value->number(range) : standard;
-}
-
-double encoded_number(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
-}
-
-double decoded(double shown) {
-    return shown <= 0.04045 ? shown / 12.92 : pow((shown + 0.055) / 1.055, 2.4);
-}
-
-/// What a material is before it has MTL's words.
-struct Physical {
-    dvec3 base{1}, emissive{0}, F0_tint{1};
-    double alpha = 1, metallic = 1, roughness = 1, specular = 1;
-    bool unlit = false;
-};
-
-void set_words(const Physical& p, Material& material) {
-    const vec3 base = encoded(p.base);
-    if (p.unlit) {
-        material.Ka = material.Kd = material.Ks = vec3(0);
-        material.Ke = base;
-        return;
-    }
-    const dvec3 F0 =
-        glm::mix(glm::min(p.F0_tint * (dielectric * p.specular), dvec3(1)), p.base, p.metallic);
-    const dvec3 diffuse = p.base * (1 - p.metallic);
-    const Highlight highlight = highlight_of(F0, diffuse, p.roughness);
-    material.Ka = base;
-    material.Kd = encoded(diffuse);
-    material.Ks = highlight.Ks;
-    material.Ns = highlight.Ns;
-    material.Ke = encoded(p.emissive);
 }
 
 Map color_map(const Tint& tint, const std::string& file) {
@@ -74,7 +39,9 @@ public:
         out_.material.name = name_;
         read_metallic_roughness();
         read_extensions();
+        read_specular_glossiness();
         read_emission();
+        if (const auto sides = json_.find("doubleSided")) out_.double_sided = sides->boolean();
         physical_.alpha *= double(tint.color.w);
         read_alpha();
         warn_left_out();
@@ -83,7 +50,11 @@ public:
         set_words(physical_, out_.material);
         out_.luminance = physical_.unlit ? physical_.base : physical_.emissive;
         if (physical_.unlit) std::swap(out_.material.map_Kd, out_.material.map_Ke);
-        if (physical_.metallic > 0.5) out_.material.map_Ks = out_.material.map_Kd;
+        if (physical_.unlit) out_.material.map_metal.clear();
+        if (!out_.material.map_metal.empty())
+            out_.material.physical = std::make_shared<const Physical>(physical_);
+        else if (physical_.metallic > 0.5)
+            out_.material.map_Ks = out_.material.map_Kd;
         return std::move(out_);
     }
 
@@ -99,13 +70,8 @@ private:
         physical_.roughness = number_of(pbr->find("roughnessFactor"), 1);
         if (const auto texture = pbr->find("baseColorTexture"))
             add_map(out_.material.map_Kd, *texture);
-        if (pbr->find("metallicRoughnessTexture")) {
-            physical_.metallic = 0;
-            physical_.roughness *= 0.5;
-            warn("metallicRoughnessTexture",
-                 "its metallicRoughnessTexture is left out; it is drawn as metallic 0 and half its "
-                 "roughness");
-        }
+        if (const auto texture = pbr->find("metallicRoughnessTexture"))
+            add_map(out_.material.map_metal, *texture);
     }
 
     void read_emission() {
@@ -130,12 +96,31 @@ private:
             if (specular->find(key)) warn_texture(key);
     }
 
+    /// KHR_materials_pbrSpecularGlossiness: in place of the metallic-roughness model.
+    void read_specular_glossiness() {
+        const auto extensions = json_.find("extensions");
+        const auto model =
+            extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
+        if (!model) return;
+        out_.material.map_Kd.clear();
+        out_.material.map_metal.clear();
+        const auto diffuse = model->find("diffuseFactor");
+        physical_.base = color_of(diffuse, dvec3(1));
+        physical_.alpha = diffuse ? (*diffuse)[3].number(unit_range) : 1;
+        physical_.metallic = 0;
+        physical_.F0 = color_of(model->find("specularFactor"), dvec3(1));
+        physical_.roughness = 1 - number_of(model->find("glossinessFactor"), 1);
+        if (const auto texture = model->find("diffuseTexture"))
+            add_map(out_.material.map_Kd, *texture);
+        if (model->find("specularGlossinessTexture")) warn_texture("specularGlossinessTexture");
+    }
+
     /// F0 is ((n - 1) / (n + 1))^2; n = 0 stands for a mirror of any angle.
     void read_ior(const std::optional<JsonValue>& value) {
         const double n = number_of(value, 1.5, {0, 100});
         if (n != 0 && n < 1) value->fail_expected("0, or a number from 1 to 100");
         const double root = (n - 1) / (n + 1);
-        physical_.specular *= root * root / dielectric;
+        physical_.specular *= root * root / dielectric_F0;
         if (n >= 0.01) out_.material.Ni = float(n);
     }
 
@@ -144,12 +129,16 @@ private:
         if (!mode || mode->text() == "OPAQUE") return;
         if (mode->text() != "MASK" && mode->text() != "BLEND")
             mode->fail_expected("OPAQUE, MASK or BLEND");
-        if (!out_.material.map_Kd.empty())
-            warn("alpha " + mode->text(), "the alpha of its texture is not used");
-        if (mode->text() == "BLEND") out_.material.d = float(physical_.alpha);
-        if (mode->text() == "MASK")
-            out_.material.d =
-                physical_.alpha < number_of(json_.find("alphaCutoff"), 0.5, not_negative) ? 0 : 1;
+        Material& m = out_.material;
+        m.map_d = m.map_Kd;
+        m.vertex_d = true;
+        if (mode->text() == "BLEND") {
+            m.d = float(physical_.alpha);
+            return;
+        }
+        const double cutoff = number_of(json_.find("alphaCutoff"), 0.5, not_negative);
+        m.d = physical_.alpha < cutoff ? 0 : 1;
+        if (m.d == 1) m.d_cutoff = cutoff > 0 ? float(cutoff / physical_.alpha) : 0;
     }
 
     void warn_left_out() {
@@ -210,8 +199,9 @@ private:
             const std::size_t wrap = value ? value->whole(0, 0xFFFF) : repeat;
             if (wrap != repeat && wrap != clamp && wrap != mirrored)
                 value->fail_expected("10497, 33071 or 33648");
-            if (wrap == mirrored) warn("mirrored", "its texture repeats without being mirrored");
-            return wrap == clamp ? Wrap::Clamp : Wrap::Repeat;
+            return wrap == clamp      ? Wrap::Clamp
+                   : wrap == mirrored ? Wrap::MirroredRepeat
+                                      : Wrap::Repeat;
         };
         map.wrap_s = wrap_of("wrapS");
         map.wrap_t = wrap_of("wrapT");
@@ -247,28 +237,6 @@ private:
 };
 
 }  // namespace
-
-vec3 encoded(const dvec3& linear) {
-    return {float(encoded_number(linear.x)), float(encoded_number(linear.y)),
-            float(encoded_number(linear.z))};
-}
-
-Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) {
-    constexpr double sharpest = 0.01, most_Ns = 10000;
-    const double a2 = std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
-    const dvec3 peak = F0 / (4 * a2);
-    const dvec3 lit = diffuse + peak;
-    const double most = std::max({lit.x, lit.y, lit.z, 1.0});  // beyond white it keeps its hue
-    Highlight out{encoded(glm::max(lit / most, diffuse)) - encoded(diffuse), 0};
-
-    // Where the strongest channel has half its height on the display: GGX is (a2 / root)^2 there.
-    const int k = peak.x >= peak.y && peak.x >= peak.z ? 0 : peak.y >= peak.z ? 1 : 2;
-    const double half = decoded(encoded_number(diffuse[k]) + double(out.Ks[k]) / 2) - diffuse[k];
-    const double root = std::sqrt(half / peak[k]);
-    const double cos2 = (1 - a2 / root) / (1 - a2);
-    if (a2 < 1 && root > a2) out.Ns = float(std::min(log(0.25) / log(cos2), most_Ns));
-    return out;
-}
 
 vec2 TextureTransform::moved(const vec2& st) const {
     const dvec2 scaled = dvec2(st.x, 1 - double(st.y)) * scale;

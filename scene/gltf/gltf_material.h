@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf/gltf_document.h"
+#include "scene/maps/physical.h"
 #include "scene/scene.h"
 
 #include <optional>
@@ -21,13 +22,10 @@ struct GltfMaterial {
     Material material;
     std::size_t texcoord_set = 0;  ///< of its maps
     dvec3 luminance{0};            ///< that it emits, linear, in nit
+    bool double_sided = false;
     /// of the texture coordinates of meshes, if its maps are turned
     std::optional<TextureTransform> turn;
 };
-
-/// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as
-/// in sRGB, and beyond 1 by the same formula.
-vec3 encoded(const dvec3& linear);
 
 /// What vertex colours make of a material.
 struct Tint {
@@ -42,13 +40,5 @@ GltfMaterial read_gltf_material(const GltfDocument& document, const JsonValue& m
 
 /// The material of primitives without one [GLTF2 3.9.1].
 GltfMaterial default_gltf_material(const Tint& tint);
-
-/// Ks and Ns of the lobe that looks, on a display and beside the diffuse part, as high and at half of
-/// its height as wide as GGX seen along the normal: F0 / (4 a2) high, where a2 = roughness^4.
-struct Highlight {
-    vec3 Ks{0};
-    float Ns = 0;
-};
-Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness);
 
 }  // namespace gw::scene

@@ -116,15 +116,20 @@ private:
         if (!value) return;
         const Elements<float> c = read_floats(document_, *value, {"VEC3", "VEC4"});
         expect_count(*value, c.count(), out_.mesh.positions.size());
+        const auto alpha_of = [&](std::size_t i) { return c.components == 4 ? c[i][3] : 1; };
         glm::dvec4 sum(0);
-        bool vary = false;
+        bool vary = false, alphas_vary = false;
         for (std::size_t i = 0; i < c.count(); ++i) {
-            sum += glm::dvec4(c[i][0], c[i][1], c[i][2], c.components == 4 ? c[i][3] : 1);
-            vary |= !std::equal(c[i], c[i] + c.components, c[0]);
+            sum += glm::dvec4(c[i][0], c[i][1], c[i][2], alpha_of(i));
+            vary |= !std::equal(c[i], c[i] + 3, c[0]);
+            alphas_vary |= alpha_of(i) != alpha_of(0);
         }
         out_.mean_color = vec4(glm::clamp(sum / double(c.count()), 0.0, 1.0));
         for (std::size_t i = 0; vary && i < c.count(); ++i)
             out_.colors.emplace_back(c[i][0], c[i][1], c[i][2], 1);
+        for (std::size_t i = 0; alphas_vary && i < c.count(); ++i)
+            out_.mesh.colors.emplace_back(1, 1, 1, alpha_of(i));
+        if (alphas_vary) out_.mean_color->w = 1;
     }
 
     void read_targets() {

@@ -70,7 +70,10 @@ std::vector<std::size_t> roots_of(const GltfDocument& document) {
 GltfPlace place_of(const JsonValue& node) {
     GltfPlace place;
     const auto matrix = node.find("matrix"), rotation = node.find("rotation");
-    if (matrix) place.matrix = matrix_of(*matrix);
+    if (matrix) {
+        place.matrix = matrix_of(*matrix);
+        return place;
+    }
     place.scale = numbers_of(node.find("scale"), dvec3(1));
     place.translation = numbers_of(node.find("translation"), dvec3(0));
     if (!rotation) return place;
@@ -84,8 +87,7 @@ GltfPlace place_of(const JsonValue& node) {
 }  // namespace
 
 dmat4 GltfPlace::parent_from_node() const {
-    return matrix ? *matrix
-                  : gw::scene::translation(translation) * (turned(rotation) * scaling(scale));
+    return matrix * (gw::scene::translation(translation) * (turned(rotation) * scaling(scale)));
 }
 
 void place_in_world(std::vector<GltfNode>& nodes) {

@@ -12,7 +12,7 @@ namespace gw::scene {
 
 /// A node's place in its parent.
 struct GltfPlace {
-    std::optional<dmat4> matrix;  ///< instead of the others
+    dmat4 matrix{1};  ///< instead of the others, or 1
     dvec3 translation{0};
     dvec4 rotation{0, 0, 0, 1};  ///< x, y, z, w, of length 1
     dvec3 scale{1};

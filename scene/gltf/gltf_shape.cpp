@@ -190,6 +190,7 @@ MeshData drawn(const GltfMesh& mesh, MeshData moved) {
         for (std::size_t k = 0; k < 3; ++k) {
             out.positions.push_back(moved.positions[at[k]]);
             out.normals.push_back(is_flat ? normal : moved.normals[at[k]]);
+            if (!moved.colors.empty()) out.colors.push_back(moved.colors[at[k]]);
             if (mesh.is_patched)
                 out.texcoords.push_back(patches.st(i, k));
             else if (!moved.texcoords.empty())

@@ -28,7 +28,8 @@ struct Influence {
 
 /// A primitive as the file has it.
 struct GltfMesh {
-    MeshData mesh;  ///< without polygon_ids and colours; faces without normals are to be flat
+    MeshData mesh;  ///< without polygon_ids; faces without normals are to be flat. Colours: white,
+                    ///< if their alphas differ
     /// of the vertex colours; none: there are none
     std::optional<vec4> mean_color;
     std::vector<vec4> colors;  ///< linear, of each vertex; empty: all are mean_color

@@ -28,6 +28,7 @@ constexpr std::array known_extensions = std::to_array<std::string_view>({
     "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
+    "KHR_materials_pbrSpecularGlossiness",
     "KHR_materials_specular",
     "KHR_materials_unlit",
     "KHR_mesh_quantization",
@@ -81,6 +82,7 @@ private:
         MeshRef mesh;  ///< null: nothing to draw
         std::size_t material = 0;
         std::shared_ptr<const GltfMesh> shape;  ///< null: its vertices do not move
+        bool single_sided = false;
     };
 
     void add_node(const GltfNode& node) {
@@ -132,8 +134,11 @@ private:
                   const std::string& name, const Part& part, std::shared_ptr<const GltfSkin> skin,
                   const std::vector<double>& weights) {
         Scene& scene = builder_.scene;
-        Object object{
-            .name = name, .mesh = part.mesh, .material = part.material, .world_from_object = world};
+        Object object{.name = name,
+                      .mesh = part.mesh,
+                      .material = part.material,
+                      .world_from_object = world,
+                      .single_sided = part.single_sided};
         if (part.shape && part.shape->influences == 0) skin = nullptr;
         GltfShaped shaped{scene.objects.size(), place_, part.shape, skin, weights};
         if (part.shape) {
@@ -190,6 +195,7 @@ private:
         const std::size_t set = plain.texcoord_set;
         GltfMesh read = read_primitive(document_, primitive, set, name);
         if (read.mesh.positions.empty()) return;
+        if (!plain.material.vertex_d) read.mesh.colors.clear();
         const bool has_map = has_maps(plain.material);
         if (has_map && read.mesh.texcoords.empty())
             document_.warn("no texcoords", "object '" + printable(name) +
@@ -213,13 +219,17 @@ private:
         const GltfMaterial& painted = painted_material(primitive, material, has_map, read, name);
         const std::size_t index = builder_.index_of(painted.material);
         if (painted.luminance != dvec3(0)) luminances_[index] = painted.luminance;
-        Part part{builder_.numbered(drawn(read, read.mesh), {document_.file(), 0}), index, nullptr};
+        Part part{.mesh = builder_.numbered(drawn(read, read.mesh), {document_.file(), 0}),
+                  .material = index,
+                  .single_sided = !painted.double_sided};
         if (!read.targets.empty() || read.influences > 0)
             part.shape = std::make_shared<const GltfMesh>(std::move(read));
         return part;
     }
 
-    static bool has_maps(const Material& m) { return !m.map_Kd.empty() || !m.map_Ke.empty(); }
+    static bool has_maps(const Material& m) {
+        return !m.map_Kd.empty() || !m.map_Ke.empty() || !m.map_metal.empty();
+    }
 
     const GltfMaterial& painted_material(const JsonValue& primitive,
                                          const std::optional<JsonValue>& material, bool has_map,

@@ -96,7 +96,8 @@ TomlObjects::SourceFile::SourceFile(std::string path, GltfFile read)
         parts.push_back({.name = std::move(object.name),
                          .own = &list[object.material],
                          .shared = std::move(object.mesh),
-                         .file_from_part = object.world_from_object});
+                         .file_from_part = object.world_from_object,
+                         .single_sided = object.single_sided});
     for (const SourcePart& part : parts) names.insert(part.name);
 }
 
@@ -202,6 +203,7 @@ void TomlObjects::add_file(ObjectTable& object) {
             count_triangles(object, divided_triangles(mesh, object.divide));
         if (part.file_from_part != dmat4(1))
             object.placed.world_from_object = world_from_file * part.file_from_part;
+        object.placed.single_sided = part.single_sided;
         add_mesh(object, name, {&mesh, {}, {}, object.divide}, material_of(object, &source, &part),
                  [&] {
                      MeshData copy = mesh;

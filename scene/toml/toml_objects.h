@@ -41,6 +41,7 @@ private:
         MeshData mesh;
         MeshRef shared;
         dmat4 file_from_part{1};
+        bool single_sided = false;
     };
     /// A file that was read, and its parts by their names.
     struct SourceFile {

@@ -153,6 +153,15 @@ TEST_F(Gltf, AMetalHasNoDiffusePartAndARoughSurfaceAWideHighlight) {
     EXPECT_NEAR_3(metal.Ks, 1, srgb(0.5), srgb(0.25));
 }
 
+TEST_F(Gltf, SpecularAndGlossinessAreF0AndRoughness) {
+    const Material m = material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "extensions": {"KHR_materials_pbrSpecularGlossiness":
+        {"diffuseFactor": [0.5, 0.2, 0, 1], "specularFactor": [0.2, 0.1, 0], "glossinessFactor": 0.25}}})");
+    EXPECT_NEAR_3(m.Kd, srgb(0.5), srgb(0.2), 0);
+    const double peak = 1 / (4 * std::pow(0.75, 4));
+    EXPECT_NEAR_3(m.Ks, srgb(0.5 + 0.2 * peak) - srgb(0.5), srgb(0.2 + 0.1 * peak) - srgb(0.2), 0);
+}
+
 TEST_F(Gltf, AnUnlitMaterialEmitsItsColour) {
     const Material m = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})");

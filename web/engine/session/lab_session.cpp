@@ -5,6 +5,7 @@
 #include "inspect/manifest/manifest.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "multipass/passes/pass_toml.h"
+#include "scene/maps/finish.h"
 #include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/request.h"
@@ -19,7 +20,8 @@ namespace {
 template <class Visit>
 void for_each_map(scene::Scene& scene, const Visit& visit) {
     for (scene::Material& m : scene.materials)
-        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction})
+        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.map_d, &m.map_metal,
+                           &m.refl, &m.refraction})
             for (scene::Map& map : *maps)
                 if (map.from_scene == 0) visit(map);
 }
@@ -118,6 +120,8 @@ void LabSession::load_textures(scene::Scene& scene) const {
                         map.file.string() + " is not here; expected it beside the scene");
         map.texture = found->second;
     });
+    scene::Warnings unsaid;  // the lab says what reading warns of
+    scene::finish(scene, unsaid);
 }
 
 render::Drawing LabSession::drawing_of(const Json& options) const {

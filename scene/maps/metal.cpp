@@ -1,0 +1,153 @@
+#include "scene/maps/metal.h"
+
+#include "gw/base/arithmetic.h"
+#include "scene/maps/physical.h"
+#include "scene/text/suggest.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+namespace gw::scene {
+namespace {
+
+constexpr std::size_t green = 1, blue = 2;
+
+struct Means {
+    double roughness = 0, metallic = 0;
+    bool is_even = true;  ///< of the metallic part
+};
+
+Means means_of(const Texture& texture) {
+    const TexelValues& rgba = texture.levels.front().rgba;
+    Means means;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        means.roughness += rgba[i + green];
+        means.metallic += rgba[i + blue];
+        means.is_even = means.is_even && rgba[i + blue] == rgba[blue];
+    }
+    const double whole = 65535.0 * double(rgba.size() / 4);
+    means.roughness /= whole;
+    means.metallic /= whole;
+    return means;
+}
+
+/// Whether the same coordinates look up both.
+bool is_beside(const Map& a, const Map& b) {
+    const auto lookup = [](const Map& m) {
+        return std::tuple(m.wrap_s, m.wrap_t, m.scale.x, m.scale.y, m.offset.x, m.offset.y);
+    };
+    return lookup(a) == lookup(b);
+}
+
+/// The texel of a larger grid's x, y.
+const std::uint16_t* texel(const Texture& texture, int x, int y, int width, int height) {
+    const int i = x * texture.width() / width, j = y * texture.height() / height;
+    return texture.levels.front().rgba.data() + 4 * pixel_index(i, j, texture.width());
+}
+
+/// encoded(1 - m), for m = k / 255: what a metallic part leaves of Kd.
+std::array<float, 256> rests() {
+    std::array<float, 256> rests{};
+    for (std::size_t k = 0; k < rests.size(); ++k) rests[k] = encoded(dvec3(1 - double(k) / 255)).x;
+    return rests;
+}
+
+/// Kd and Ks of each texel, relative to the material's.
+class TexelMaker {
+public:
+    TexelMaker(Material& material, const Physical& surface)
+        : material_(material),
+          base_(material.map_Kd.empty() ? nullptr : material.map_Kd[0].texture),
+          metal_(*material.map_metal[0].texture),
+          metallic_(surface.metallic) {
+        Physical p = surface;
+        p.metallic = 0;
+        set_words(p, dielectric_);
+        p.metallic = 1;
+        set_words(p, pure_);
+    }
+
+    void set(double mean_metallic) {
+        const float part = float(metallic_ * mean_metallic);
+        material_.Ka = material_.Kd = dielectric_.Kd;
+        material_.Ks = glm::max(dielectric_.Ks, pure_.Ks);
+        material_.Ns = dielectric_.Ns + (pure_.Ns - dielectric_.Ns) * part;
+        Map map = material_.map_metal[0];
+        make_texels();
+        material_.map_Ka = material_.map_Kd;
+        if (material_.map_Ka.empty()) {  // else the map of Kd stands for it
+            map.texture = make_texture8("white", 1, 1, std::vector<std::uint8_t>(4, 255));
+            material_.map_Ka = {map};
+        }
+        map.texture = make_texture(metal_.name, width_, height_, Kd_);
+        material_.map_Kd = {map};
+        map.texture = make_texture(metal_.name, width_, height_, Ks_);
+        material_.map_Ks = {map};
+    }
+
+private:
+    void make_texels() {
+        width_ = std::max(metal_.width(), base_ ? base_->width() : 1);
+        height_ = std::max(metal_.height(), base_ ? base_->height() : 1);
+        const std::array<float, 256> rest = rests();
+        constexpr std::array<std::uint16_t, 4> white{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) {
+                const std::uint16_t* const base =
+                    base_ ? texel(*base_, x, y, width_, height_) : white.data();
+                const double m = metallic_ * texel(metal_, x, y, width_, height_)[blue] / 65535.0;
+                const double left = double(rest[std::size_t(quantize(m, 8))]);
+                for (int k = 0; k < 3; ++k) add(base[k] / 65535.0, m, left, k);
+                Kd_.push_back(base[3]);
+                Ks_.push_back(base[3]);
+            }
+    }
+
+    void add(double base, double m, double left, int k) {
+        Kd_.push_back(std::uint16_t(quantize(base * left, 16)));
+        const double Ks = (1 - m) * double(dielectric_.Ks[k]) + m * double(pure_.Ks[k]) * base;
+        const double most = double(material_.Ks[k]);
+        Ks_.push_back(most > 0 ? std::uint16_t(quantize(std::min(Ks / most, 1.0), 16)) : 0);
+    }
+
+    Material& material_;
+    TextureRef base_;
+    const Texture& metal_;
+    double metallic_;
+    Material dielectric_, pure_;
+    int width_ = 1, height_ = 1;
+    std::vector<std::uint16_t> Kd_, Ks_;
+};
+
+void apply(Material& material, Warnings& warnings) {
+    const Map& map = material.map_metal[0];
+    const Means means = means_of(*map.texture);
+    Physical p = *material.physical;
+    p.roughness *= means.roughness;
+    const bool fits = material.map_Kd.empty() || is_beside(material.map_Kd[0], map);
+    if (fits && !means.is_even && p.metallic > 0)
+        return TexelMaker(material, p).set(means.metallic);
+    if (!fits && !means.is_even)
+        warnings.add(map.origin.file, map.origin.line, "metal map",
+                     "material '" + printable(material.name) +
+                         "': its metallicRoughnessTexture lies in another way than its colours; "
+                         "expected the same, so it is drawn with its means");
+    p.metallic *= means.metallic;
+    set_words(p, material);
+    if (p.metallic > 0.5) material.map_Ks = material.map_Kd;
+}
+
+}  // namespace
+
+void apply_metal_maps(Scene& scene, Warnings& warnings) {
+    for (Material& material : scene.materials) {
+        if (material.map_metal.empty() || !material.map_metal[0].texture) continue;
+        apply(material, warnings);
+        material.map_metal.clear();
+    }
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,63 @@
+#include "scene/maps/physical.h"
+
+#include "gw/base/elementary.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+double encoded_number(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+double decoded(double shown) {
+    return shown <= 0.04045 ? shown / 12.92 : pow((shown + 0.055) / 1.055, 2.4);
+}
+
+}  // namespace
+
+void set_words(const Physical& p, Material& material) {
+    const vec3 base = encoded(p.base);
+    if (p.unlit) {
+        material.Ka = material.Kd = material.Ks = vec3(0);
+        material.Ke = base;
+        return;
+    }
+    const dvec3 F0 =
+        glm::mix(glm::min(p.F0_tint * (dielectric_F0 * p.specular), dvec3(1)), p.base, p.metallic);
+    const dvec3 reflected = p.F0.value_or(F0), diffuse = p.base * (1 - p.metallic);
+    const Highlight highlight = highlight_of(reflected, diffuse, p.roughness);
+    material.Ka = base;
+    material.Kd = encoded(diffuse);
+    material.Ks = highlight.Ks;
+    material.Ns = highlight.Ns;
+    material.Ke = encoded(p.emissive);
+}
+
+vec3 encoded(const dvec3& linear) {
+    return {float(encoded_number(linear.x)), float(encoded_number(linear.y)),
+            float(encoded_number(linear.z))};
+}
+
+Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) {
+    constexpr double sharpest = 0.01, most_Ns = 10000;
+    const double a2 = std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
+    const dvec3 peak = F0 / (4 * a2);
+    const dvec3 lit = diffuse + peak;
+    const double most = std::max({lit.x, lit.y, lit.z, 1.0});  // beyond white it keeps its hue
+    Highlight out{encoded(glm::max(lit / most, diffuse)) - encoded(diffuse), 0};
+
+    // Where the strongest channel has half its height on the display: GGX is (a2 / root)^2 there.
+    const int k = peak.x >= peak.y && peak.x >= peak.z ? 0 : peak.y >= peak.z ? 1 : 2;
+    const double half = decoded(encoded_number(diffuse[k]) + double(out.Ks[k]) / 2) - diffuse[k];
+    const double root = std::sqrt(half / peak[k]);
+    const double cos2 = (1 - a2 / root) / (1 - a2);
+    if (a2 < 1 && root > a2) out.Ns = float(std::min(log(0.25) / log(cos2), most_Ns));
+    return out;
+}
+
+}  // namespace gw::scene

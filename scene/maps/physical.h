@@ -1,0 +1,34 @@
+// Physically based surfaces [GLTF2 3.9] in MTL's words. docs/scenes.md, "glTF", has the rule. Does not
+// read textures.
+#pragma once
+
+#include "scene/scene.h"
+
+namespace gw::scene {
+
+/// F0 of a dielectric of index 1.5.
+inline constexpr double dielectric_F0 = 0.04;
+
+/// What a material is before it has MTL's words.
+struct Physical {
+    dvec3 base{1}, emissive{0}, F0_tint{1};
+    std::optional<dvec3> F0;  ///< instead of what base, tint, metallic and specular make
+    double alpha = 1, metallic = 1, roughness = 1, specular = 1;
+    bool unlit = false;
+};
+/// The words that do not depend on maps.
+void set_words(const Physical& p, Material& material);
+
+/// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as
+/// in sRGB, and beyond 1 by the same formula.
+vec3 encoded(const dvec3& linear);
+
+/// Ks and Ns of the lobe that looks, on a display and beside the diffuse part, as high and at half of
+/// its height as wide as GGX seen along the normal: F0 / (4 a2) high, where a2 = roughness^4.
+struct Highlight {
+    vec3 Ks{0};
+    float Ns = 0;
+};
+Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness);
+
+}  // namespace gw::scene

@@ -1,0 +1,109 @@
+// Claims: alpha modes, vertex alphas, sides, mirrored maps and metallic-roughness maps of glTF reach the
+// scene, where maps/finish.h finds them.
+#include "scene/maps/physical.h"
+#include "tests/scene/folder.h"
+#include "tests/scene/gltf/gltf_text.h"
+
+#include <gtest/gtest.h>
+
+namespace gw::scene {
+namespace {
+
+struct GltfSurface : testing::Test {
+    Folder folder;
+
+    /// The triangle with texture coordinates, one texture, and a material of this JSON.
+    Scene scene(const std::string& material, const std::string& sampler = "{}") {
+        const std::string bytes =
+            triangle_bytes() + std::string(2, '\0') + bytes_of<float>({0, 0, 1, 0, 0, 1}) +
+            bytes_of<std::uint8_t>({255, 255, 255, 0, 255, 255, 255, 128, 255, 255, 255, 255});
+        std::string text = replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""),
+                                    R"("byteLength": 42)", R"("byteLength": 80)");
+        text = replaced(text, R"("byteLength": 6})",
+                        R"("byteLength": 6}, {"buffer": 0, "byteOffset": 44, "byteLength": 24},
+                        {"buffer": 0, "byteOffset": 68, "byteLength": 12})");
+        text = replaced(text, R"("type": "SCALAR"})", R"("type": "SCALAR"},
+            {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2"},
+            {"bufferView": 3, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true})");
+        text =
+            replaced(text, R"("POSITION": 0)", R"("POSITION": 0, "TEXCOORD_0": 2, "COLOR_0": 3)");
+        text = replaced(text, R"("indices": 1)", R"("indices": 1, "material": 0)");
+        text = replaced(text, R"("meshes")",
+                        R"("textures": [{"source": 0, "sampler": 0}], "samplers": [)" + sampler +
+                            R"(], "images": [{"uri": "leaf.png"}], "materials": [)" + material +
+                            R"(], "meshes")");
+        SceneFile file = read_scene(folder.write("m.gltf", text));
+        warnings.clear();
+        for (const std::string& line : file.warnings) warnings.push_back(folder.relative(line));
+        return file.scene;
+    }
+    const Material& material_of(const Scene& s) { return s.materials.at(s.objects.at(0).material); }
+    std::vector<std::string> warnings;
+};
+
+const std::string leaf =
+    R"("pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 1, 1, 0.5], "baseColorTexture": {"index": 0}})";
+
+std::vector<float> alphas(const Scene& s) {
+    std::vector<float> list;
+    for (const vec4& color : s.objects.at(0).mesh->data().colors) list.push_back(color.w);
+    return list;
+}
+
+}  // namespace
+
+TEST_F(GltfSurface, BlendKeepsTheAlphaOfFactorTextureAndVertices) {
+    const Scene s = scene("{" + leaf + R"(, "alphaMode": "BLEND"})");
+    EXPECT_EQ(material_of(s).d, 0.5f);
+    ASSERT_EQ(material_of(s).map_d.size(), 1u);
+    EXPECT_EQ(material_of(s).map_d[0].file, folder.path() / "leaf.png");
+    EXPECT_FALSE(material_of(s).d_cutoff);
+    EXPECT_EQ(alphas(s), (std::vector<float>{0, 128.0f / 255, 1}));
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(GltfSurface, TheCutoffIsThatOfWhatVaries) {
+    EXPECT_EQ(material_of(scene("{" + leaf + R"(, "alphaMode": "MASK", "alphaCutoff": 0.4})"))
+                  .d_cutoff.value(),
+              0.8f);
+    EXPECT_EQ(material_of(scene("{" + leaf + R"(, "alphaMode": "MASK", "alphaCutoff": 0.4})")).d,
+              1);
+    EXPECT_EQ(material_of(scene("{" + leaf + R"(, "alphaMode": "MASK", "alphaCutoff": 0.6})")).d,
+              0);
+}
+
+TEST_F(GltfSurface, AnOpaqueSurfaceHasNoAlpha) {
+    const Scene s = scene("{" + leaf + "}");
+    EXPECT_EQ(material_of(s).d, 1);
+    EXPECT_TRUE(material_of(s).map_d.empty());
+    EXPECT_TRUE(alphas(s).empty());
+}
+
+TEST_F(GltfSurface, SidesAreTheMaterials) {
+    EXPECT_TRUE(scene("{}").objects.at(0).single_sided);
+    EXPECT_FALSE(scene(R"({"doubleSided": true})").objects.at(0).single_sided);
+    const auto file = folder.write("scene.toml", "[[object]]\nfile = \"m.gltf\"\n");
+    EXPECT_FALSE(read_scene(file).scene.objects.at(0).single_sided);
+    scene("{}");
+    EXPECT_TRUE(read_scene(file).scene.objects.at(0).single_sided);
+}
+
+TEST_F(GltfSurface, MapsMayRepeatMirrored) {
+    const Scene s = scene("{" + leaf + "}", R"({"wrapS": 33648, "wrapT": 10497})");
+    EXPECT_EQ(material_of(s).map_Kd.at(0).wrap_s, Wrap::MirroredRepeat);
+    EXPECT_EQ(material_of(s).map_Kd.at(0).wrap_t, Wrap::Repeat);
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(GltfSurface, AMetallicRoughnessMapGoesWithItsFactors) {
+    const Scene s = scene(
+        R"({"pbrMetallicRoughness": {"roughnessFactor": 0.25, "metallicRoughnessTexture": {"index": 0}}})");
+    const Material& m = material_of(s);
+    ASSERT_EQ(m.map_metal.size(), 1u);
+    EXPECT_EQ(m.map_metal[0].file, folder.path() / "leaf.png");
+    EXPECT_EQ(m.physical->roughness, 0.25);
+    EXPECT_EQ(m.physical->metallic, 1);
+    EXPECT_TRUE(warnings.empty());
+}
+
+}  // namespace gw::scene

@@ -1,0 +1,157 @@
+// Claims: a finished scene has one opacity for each object, also in films; maps of what was cut have no
+// alpha; mirrored maps repeat a texture that holds the mirror image.
+#include "scene/maps/finish.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gw::scene {
+namespace {
+
+TextureRef texture(int width, int height, const std::vector<double>& alpha) {
+    std::vector<std::uint16_t> rgba;
+    for (const double a : alpha)
+        rgba.insert(rgba.end(), {1000, 2000, 3000, std::uint16_t(std::lround(a * 65535))});
+    return make_texture("leaf", width, height, rgba);
+}
+
+/// A square with this texture.
+Scene leaf(const TextureRef& texture) {
+    Scene scene;
+    Material m{.name = "leaf"};
+    m.map_Kd = m.map_d = {Map{.origin = {"leaf.gltf", 0},
+                              .wrap_s = Wrap::Clamp,
+                              .wrap_t = Wrap::Clamp,
+                              .texture = texture}};
+    scene.materials = {m};
+    scene.objects = {{.name = "square",
+                      .mesh = make_mesh({.primitive = Primitive::Quads,
+                                         .positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                                         .texcoords = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}})}};
+    return scene;
+}
+
+std::vector<float> opacities(const Scene& scene) {
+    std::vector<float> list;
+    for (const Object& object : scene.objects) list.push_back(scene.materials[object.material].d);
+    return list;
+}
+
+std::vector<std::string> finished(Scene& scene) {
+    Warnings warnings;
+    finish(scene, warnings);
+    return warnings.lines();
+}
+
+}  // namespace
+
+TEST(Finish, ATextureOfOneAlphaIsExact) {
+    Scene scene = leaf(texture(2, 1, {0.3, 0.3}));
+    scene.materials[0].d = 0.5f;
+    const MeshRef mesh = scene.objects[0].mesh;
+    finished(scene);
+    ASSERT_EQ(scene.objects.size(), 1u);
+    EXPECT_EQ(scene.objects[0].mesh, mesh);
+    EXPECT_NEAR(opacities(scene)[0], 0.15, 1e-5);
+}
+
+TEST(Finish, ABlendedTextureIsCutIntoLevels) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 0.5, 0.5}));
+    finished(scene);
+    const std::vector<float> d = opacities(scene);
+    ASSERT_EQ(d.size(), 9u);  // 8/16 .. 16/16
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(d[i], float(8 + i) / 16);
+    for (const Object& object : scene.objects) EXPECT_EQ(object.name, "square");
+}
+
+TEST(Finish, AMaskLeavesOpaqueObjects) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 0, 0}));
+    scene.materials[0].d_cutoff = 0.5f;
+    finished(scene);
+    EXPECT_EQ(opacities(scene), std::vector<float>{1});
+}
+
+TEST(Finish, WhatIsAllBelowTheCutoffIsInvisible) {
+    Scene scene = leaf(texture(4, 1, {0.2, 0.1, 0, 0}));
+    scene.materials[0].d_cutoff = 0.5f;
+    finished(scene);
+    EXPECT_EQ(opacities(scene), std::vector<float>{0});
+}
+
+TEST(Finish, MapsOfCutMaterialsAreOpaque) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 0.5, 0.5}));
+    finished(scene);
+    for (const Object& object : scene.objects) {
+        const TextureLevel& level =
+            scene.materials[object.material].map_Kd.at(0).texture->levels.front();
+        for (std::size_t i = 0; i < level.rgba.size(); i += 4) {
+            EXPECT_EQ(level.rgba[i], 1000);
+            EXPECT_EQ(level.rgba[i + 3], 0xFFFF);
+        }
+    }
+}
+
+TEST(Finish, AFilmIsCutAtEachTime) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 0, 0}));
+    scene.materials[0].d_cutoff = 0.5f;
+    scene.objects.push_back(scene.objects[0]);
+    std::optional<Film> film{Film{}};
+    film->pose = [](Scene& s, double time) {
+        ASSERT_EQ(s.objects.size(), 2u);
+        s.objects[1].world_from_object[3].x = time;
+        s.materials[0].d_cutoff = float(time);
+    };
+    Warnings warnings;
+    finish(scene, film, warnings);
+    for (const double time : {2.0, 0.5, 0.75}) {
+        film->pose(scene, time);
+        EXPECT_EQ(scene.objects.size(), 2u);
+        EXPECT_EQ(scene.objects[1].world_from_object[3].x, time);
+        EXPECT_EQ(scene.materials[scene.objects[0].material].d, time > 1 ? 0.0f : 1.0f);
+    }
+}
+
+TEST(Finish, TooFineAnOpacityIsOneWarning) {
+    std::vector<double> alpha(2048 * 2048);
+    for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = double(i * 7919 % 101) / 100;
+    Scene scene = leaf(texture(2048, 2048, alpha));
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].name = "other";
+    EXPECT_EQ(
+        finished(scene),
+        (std::vector<std::string>{
+            "leaf.gltf: object 'square': its opacity would cut the scene into more than 1048576 "
+            "triangles or 1000000 objects; expected fewer, so it is drawn with one opacity"}));
+    ASSERT_EQ(scene.objects.size(), 2u);
+    EXPECT_NEAR(opacities(scene)[0], 0.5, 0.01);
+}
+
+TEST(Finish, MirroredMapsHoldTheirMirrorImage) {
+    Scene scene = leaf(texture(2, 2, {0.1, 0.2, 0.3, 0.4}));
+    scene.materials[0].map_d.clear();
+    Map& map = scene.materials[0].map_Kd[0];
+    map.wrap_s = Wrap::MirroredRepeat;
+    map.scale = vec2(3, 5);
+    map.offset = vec2(1, 7);
+    EXPECT_TRUE(finished(scene).empty());
+    EXPECT_EQ(map.wrap_s, Wrap::Repeat);
+    EXPECT_EQ(map.wrap_t, Wrap::Clamp);
+    EXPECT_EQ(map.scale, vec2(1.5f, 5));
+    EXPECT_EQ(map.offset, vec2(0.5f, 7));
+    ASSERT_EQ(map.texture->width(), 4);
+    ASSERT_EQ(map.texture->height(), 2);
+    const double expected[] = {0.1, 0.2, 0.2, 0.1, 0.3, 0.4, 0.4, 0.3};
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_EQ(map.texture->levels.front().rgba[4 * i + 3], std::lround(expected[i] * 65535));
+}
+
+TEST(Finish, AMirroredMapThatIsTooLargeIsOneWarning) {
+    Scene scene = leaf(texture(4096, 1, std::vector<double>(4096, 1)));
+    scene.materials[0].map_Kd[0].wrap_s = Wrap::MirroredRepeat;
+    EXPECT_EQ(finished(scene),
+              (std::vector<std::string>{"leaf.gltf: a map of 4096 texels repeats without being "
+                                        "mirrored; expected at most 2048"}));
+}
+
+}  // namespace gw::scene
