@@ -54,6 +54,7 @@ Case tiny_draws_case(Random& random);
 Case vertices_case(Random& random);
 Case viewport_case(Random& random);
 Case volumes_case(Random& random);
+Case write_bits_case(Random& random);
 
 // Lists that random ones seldom are: conformance/directed/. They share no seeds with the random
 // tests, so a change here leaves those digests alone.

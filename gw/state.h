@@ -307,6 +307,12 @@ struct ColorMask {
     bool r = true, g = true, b = true, a = true;
     bool operator==(const ColorMask&) const = default;
 };
+/// The bits of a channel that are written, if the colour mask has the channel. Bits above color_bits
+/// have no effect.
+struct ColorMaskBits {
+    std::uint16_t r = 0xFFFF, g = 0xFFFF, b = 0xFFFF, a = 0xFFFF;
+    bool operator==(const ColorMaskBits&) const = default;
+};
 
 /// The colour planes that fragments, clears, copies and returns write to. [GL11] 4.2.1
 enum class DrawBuffer : std::uint8_t { None, Front, Back, FrontAndBack };
@@ -353,6 +359,7 @@ struct State {
     BlendState blend;
     LogicOpState logic_op;
     ColorMask color_mask;
+    ColorMaskBits color_mask_bits;
     MultisampleState multisample;
     DrawBuffer draw_buffer = DrawBuffer::Front;
     ReadBuffer read_buffer = ReadBuffer::Front;

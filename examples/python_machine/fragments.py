@@ -6,6 +6,7 @@ import numpy as np
 
 from . import samples
 from .numbers import mul, one
+from .resolved import with_written_bits
 from .state import BlendEquation, BlendFactor, CompareFunc, DrawBuffer, StencilOp
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "manual" / "fragments.md"
@@ -167,12 +168,11 @@ class FragmentStage:
         plane[y, x] = (stored & ~face.write_mask) | (new & face.write_mask)
 
     def write_colors(self, x, y, colors):
-        """[R12.13], [R12.16]"""
+        """[R12.13], [R12.16], [R12.19]"""
         for plane in self.planes.drawn(self.state.draw_buffer):
             result = self.joined(colors, plane[y, x])
-            for c, on in enumerate(self.state.color_mask):
-                if on:
-                    plane[y, x, c] = result[:, c]
+            for c, bits in enumerate(self.state.written_bits):
+                plane[y, x, c] = with_written_bits(plane[y, x, c], result[:, c], bits)
 
     def joined(self, colors, stored):
         logic = self.state.logic_op
@@ -191,10 +191,10 @@ class FragmentStage:
             total += reached_depth * size["Depth"]
         if state.depth_mask:
             total += written * size["Depth"]
-        if any(state.color_mask):
+        if any(state.written_bits):
             logic = state.logic_op
             joins = logic.reads_stored() if logic.enable else state.blend.enable
-            twice = joins or not all(state.color_mask)
+            twice = joins or any(bits != one(self.bits) for bits in state.written_bits)
             total += (written * size["Color"] * (2 if twice else 1)
                       * colors_written(state.draw_buffer))
         self.machine.counters["bytes"] += total

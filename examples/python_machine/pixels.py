@@ -11,7 +11,7 @@ from .numbers import bounded, one, quantize, to_integer
 from .rasterization import rectangle
 from .layers import unit_look_ups, volume_texel_in_place
 from .place import texel_in_place
-from .resolved import Resolved, stencil_write_mask
+from .resolved import Resolved, stencil_write_mask, with_written_bits, written_bits
 from .state import FogSource, Plane, ReadBuffer, corners_of, intersection, pixel_box
 from .texture import Texture
 
@@ -52,11 +52,9 @@ def store(machine, plane, x, y, values):
 def store_in(machine, planes, plane, x, y, values):
     state = machine.state
     if plane == Plane.Color:
-        mask = state.color_mask
         for color in planes.drawn(state.draw_buffer):
-            for c, on in enumerate((mask.r, mask.g, mask.b, mask.a)):
-                if on:
-                    color[y, x, c] = values[:, c]
+            for c, bits in enumerate(written_bits(state, machine.profile)):
+                color[y, x, c] = with_written_bits(color[y, x, c], values[:, c], bits)
     elif plane == Plane.Depth:
         if state.depth.mask:
             planes.depth[y, x] = values

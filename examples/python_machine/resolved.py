@@ -48,10 +48,20 @@ class Resolved:
                                     np.int64)
         self.logic_op = state.logic_op
         self.draw_buffer = state.draw_buffer
-        mask = state.color_mask
-        self.color_mask = (mask.r, mask.g, mask.b, mask.a)
+        self.written_bits = written_bits(state, profile)
         if state.draw_buffer == NO_DRAW_BUFFER:
-            self.color_mask = (False,) * 4
+            self.written_bits = (0,) * 4
+
+
+def written_bits(state, profile):
+    """[R12.13], [R12.19] Of the channels R, G, B, A."""
+    mask, bits, every = state.color_mask, state.color_mask_bits, one(profile.color_bits)
+    return tuple(getattr(bits, c) & every if getattr(mask, c) else 0 for c in "rgba")
+
+
+def with_written_bits(stored, values, bits):
+    """[R12.19] Of one channel."""
+    return (stored & ~bits) | (values & bits)
 
 
 def stencil_write_mask(state, profile):

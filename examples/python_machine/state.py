@@ -272,6 +272,15 @@ class ColorMask:
 
 
 @dataclass
+class ColorMaskBits:
+    """[R12.19]"""
+    r: int = 2**16 - 1
+    g: int = 2**16 - 1
+    b: int = 2**16 - 1
+    a: int = 2**16 - 1
+
+
+@dataclass
 class Multisample:
     """[R17.2], [R17.4]"""
     enable: bool = True
@@ -341,6 +350,7 @@ class State:
     multisample: Multisample = field(default_factory=Multisample)
     diamond_lines: bool = False
     exact_rho: bool = False
+    color_mask_bits: ColorMaskBits = field(default_factory=ColorMaskBits)
     more_textures: Any = None  # states that have the members of textures only [R10.37]
 
     def of_unit(self, unit):

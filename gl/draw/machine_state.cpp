@@ -250,6 +250,7 @@ void set_fragments(gw::State& out, const State& s, const Extensions& has) {
                  alpha_blend(b)};
     if (has.logic_op) out.logic_op = {b.logic_op, word<gw::LogicOp>(b.logic_op_mode)};
     out.color_mask = {b.mask[0], b.mask[1], b.mask[2], b.mask[3]};
+    out.color_mask_bits = {b.mask_bits[0], b.mask_bits[1], b.mask_bits[2], b.mask_bits[3]};
 }
 
 vec3 rgb(const vec4& c) { return {c.x, c.y, c.z}; }

@@ -85,7 +85,7 @@ void Drawable::bring_back_up_to_date(const Command& command) {
         if ((clear->planes & mask_of(Plane::Color)) == 0) return;
         const gw::State now = state() != nullptr ? *state() : gw::State();
         if (now.draw_buffer == DrawBuffer::Back && !now.scissor.test &&
-            now.color_mask == ColorMask{}) {
+            now.color_mask == ColorMask{} && now.color_mask_bits == ColorMaskBits{}) {
             is_back_old_ = false;
             return;
         }

@@ -223,6 +223,7 @@ struct ColorBufferState {
     GLenum logic_op_mode = GL_COPY;
     GLenum draw_buffer = GL_FRONT;
     std::array<bool, 4> mask{true, true, true, true};
+    std::array<std::uint16_t, 4> mask_bits{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};  ///< of IRIS GL
     GLuint index_mask = ~0u;
     vec4 clear{0, 0, 0, 0};
     float clear_index = 0;

@@ -277,6 +277,14 @@ template <>
 inline constexpr auto fields_of<ColorMask> = std::tuple(
     field("r", &ColorMask::r, "R12.13", "Red."), field("g", &ColorMask::g, "R12.13", "Green."),
     field("b", &ColorMask::b, "R12.13", "Blue."), field("a", &ColorMask::a, "R12.13", "Alpha."));
+template <>
+inline constexpr auto sentence_of<ColorMaskBits> = "The bits of channels that are written.";
+template <>
+inline constexpr auto fields_of<ColorMaskBits> =
+    std::tuple(field("r", &ColorMaskBits::r, "R12.19", "Of red."),
+               field("g", &ColorMaskBits::g, "R12.19", "Of green."),
+               field("b", &ColorMaskBits::b, "R12.19", "Of blue."),
+               field("a", &ColorMaskBits::a, "R12.19", "Of alpha."));
 
 // ---- The whole state ----------------------------------------------------------------------------
 
@@ -329,6 +337,7 @@ inline constexpr auto fields_of<State> = std::tuple(
     field("blend", &State::blend, "", "Blending."),
     field("logic_op", &State::logic_op, "", "Logical operations."),
     field("color_mask", &State::color_mask, "", "Channels that are written."),
+    field("color_mask_bits", &State::color_mask_bits, "", "Bits of them."),
     field("multisample", &State::multisample, "", "Samples of fragments."),
     field("draw_buffer", &State::draw_buffer, "R12.16", "Planes that are written.",
           restricted("Back, FrontAndBack: two colour planes")),

@@ -45,7 +45,7 @@ Rgba joined_color(const Resolved& r, const Rgba& color, const Rgba& stored) {
 void write(const Resolved& r, Planes& planes, std::size_t i, const Fragment& f) {
     if (r.state.depth.mask) planes.depth[i] = f.depth;
     for_draw_buffer(r.state, planes, [&](std::vector<Rgba>& color) {
-        write_color(r.state.color_mask, joined_color(r, f.color, color[i]), color[i]);
+        write_color(r.written_bits, joined_color(r, f.color, color[i]), color[i]);
     });
 }
 
@@ -79,11 +79,8 @@ void process_sample(const Resolved& r, const FragmentTarget& target, const Fragm
 
 }  // namespace
 
-void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored) {
-    if (mask.r) stored[0] = color[0];
-    if (mask.g) stored[1] = color[1];
-    if (mask.b) stored[2] = color[2];
-    if (mask.a) stored[3] = color[3];
+void write_color(const Rgba& bits, const Rgba& color, Rgba& stored) {
+    for (std::size_t c = 0; c < 4; ++c) stored[c] = with_written_bits(stored[c], color[c], bits[c]);
 }
 
 void process_fragment(const Resolved& state, const FragmentTarget& target,

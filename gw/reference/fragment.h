@@ -34,8 +34,8 @@ void process_fragment(const Resolved& state, const FragmentTarget& target,
 void process_fragment(const Resolved& state, const FragmentTarget& target, const Fragment& fragment,
                       const Covered& covered);
 
-/// Writes a colour through the colour mask.
-void write_color(const ColorMask& mask, const Rgba& color, Rgba& stored);
+/// Writes these bits of a colour.
+void write_color(const Rgba& bits, const Rgba& color, Rgba& stored);
 
 /// Calls write(plane) with each colour plane of the draw buffer.
 template <typename Write>

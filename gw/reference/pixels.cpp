@@ -35,7 +35,7 @@ void write_plane(Plane plane, const Resolved& r, Planes& planes, std::size_t i,
     switch (plane) {
         case Plane::Color:
             for_draw_buffer(r.state, planes, [&](std::vector<Rgba>& color) {
-                write_color(r.state.color_mask, value.color, color[i]);
+                write_color(r.written_bits, value.color, color[i]);
             });
             break;
         case Plane::Back: break;  // named by no command

@@ -75,6 +75,19 @@ void resolve_samples(State& s, int samples) {
         s.point_smooth = s.line_smooth = s.polygon_smooth = s.diamond_lines = false;
 }
 
+void resolve_masks(Resolved& r) {
+    const ColorMask& m = r.state.color_mask;
+    const ColorMaskBits& b = r.state.color_mask_bits;
+    const auto all = std::uint16_t(max_of_bits(r.bits));
+    if (r.state.draw_buffer != DrawBuffer::None)
+        r.written_bits = {std::uint16_t(m.r ? b.r & all : 0), std::uint16_t(m.g ? b.g & all : 0),
+                          std::uint16_t(m.b ? b.b & all : 0), std::uint16_t(m.a ? b.a & all : 0)};
+    r.writes_color = r.written_bits != Rgba{};
+    r.writes_whole_color = r.written_bits == Rgba{all, all, all, all};
+    r.writes_part_bits = std::any_of(r.written_bits.begin(), r.written_bits.end(),
+                                     [&](std::uint16_t bits) { return bits != 0 && bits != all; });
+}
+
 Resolved resolve(const State& state, const Profile& profile, int width, int height, int samples) {
     Resolved r;
     r.state = state;
@@ -109,10 +122,8 @@ Resolved resolve(const State& state, const Profile& profile, int width, int heig
         for (std::size_t i = 0; i < r.more_textures.size(); ++i)
             r.more_textures[i] = resolve_texture((*state.more_textures.units)[i], profile);
     if (state.logic_op.enable) r.state.blend.enable = false;
-    if (state.draw_buffer == DrawBuffer::None) r.state.color_mask = {false, false, false, false};
     r.fragment_fog = fog_is_per_fragment(state.fog, profile);
-    const ColorMask& m = r.state.color_mask;
-    r.writes_color = m.r || m.g || m.b || m.a;
+    resolve_masks(r);
     return r;
 }
 
@@ -152,10 +163,9 @@ std::uint64_t written_bytes(Plane plane, const State& state, const Profile& prof
 
 FragmentBytes fragment_bytes(const Resolved& r, const Profile& profile) {
     const auto bytes = [&](Plane plane) { return plane_bytes(plane, profile); };
-    const ColorMask& m = r.state.color_mask;
     const bool reads_color =
         r.writes_color &&
-        (r.state.blend.enable || reads_stored(r.state.logic_op) || !(m.r && m.g && m.b && m.a));
+        (r.state.blend.enable || reads_stored(r.state.logic_op) || !r.writes_whole_color);
     FragmentBytes b;
     if (r.state.stencil.test)
         b.after_alpha =

@@ -26,8 +26,8 @@ struct ResolvedTexture {
 
 /// The members of ResolvedTexture are those of unit 0.
 struct Resolved : ResolvedTexture {
-    /// tests normalised; blending off under logic_op; no mask without draw buffer; cull.front is the
-    /// winding in the window; multisample off without samples, no antialiasing under it
+    /// tests normalised; blending off under logic_op; cull.front is the winding in the window;
+    /// multisample off without samples, no antialiasing under it. Colour masks: written_bits
     State state;
     int bits = 8;     ///< of a colour channel
     int samples = 1;  ///< of a pixel of the surface
@@ -41,7 +41,10 @@ struct Resolved : ResolvedTexture {
     Rgba fog_color{}, blend_color{};
     std::array<ResolvedTexture, max_texture_units - 1> more_textures;
     bool fragment_fog = false;
-    bool writes_color = true;  ///< the colour mask is set for at least one channel
+    Rgba written_bits{};             ///< of each channel, by the colour mask and its bits
+    bool writes_color = true;        ///< a bit of a channel
+    bool writes_whole_color = true;  ///< all bits of all channels
+    bool writes_part_bits = false;   ///< of a channel some bits, but not all
     /// as given: for clears and pixel rectangles, which no depth test guards
     bool depth_mask = true;
 
@@ -54,6 +57,12 @@ struct Resolved : ResolvedTexture {
 Resolved resolve(const State& state, const Profile& profile, int width, int height);
 /// Of any surface. Planes that it lacks are neither tested nor written.
 Resolved resolve(const State& state, const Profile& profile, const Surface& surface);
+
+/// A channel's value where its bits are written [R12.19].
+constexpr std::uint16_t with_written_bits(std::uint16_t stored, std::uint16_t incoming,
+                                          std::uint16_t bits) {
+    return std::uint16_t((stored & ~unsigned(bits)) | (incoming & bits));
+}
 
 /// The polygon mode of a face.
 constexpr PolygonMode mode_of(const State& s, bool front) {

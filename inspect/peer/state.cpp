@@ -161,6 +161,7 @@ void apply_fragments(const State& s) {
     apply(s.blend);
     enable(GL_COLOR_LOGIC_OP, s.logic_op.enable);
     gl().LogicOp(token(s.logic_op.op));
+    if (s.color_mask_bits != ColorMaskBits{}) refuse("write masks by bit", "color_mask_bits");
     gl().ColorMask(s.color_mask.r, s.color_mask.g, s.color_mask.b, s.color_mask.a);
 }
 

@@ -75,13 +75,14 @@ void set_clear_color(const PlaneState& p) {
     const unsigned index = unsigned(std::clamp(std::floor(p.index + 0.5), 0.0, double(index_mask)));
     const float most = float((1 << bits) - 1);
     glClearColor(float(code.low(index)) / most, float(code.high(index)) / most, 0, 1);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void clear_color() {
-    if (is_mask_whole() && state().now.pattern == 0) {
+    if (state().now.pattern == 0) {
         set_clear_color(planes_now());
-        return clear_planes(GL_COLOR_BUFFER_BIT);
+        if (is_mask_whole()) write_all_bits();
+        clear_planes(GL_COLOR_BUFFER_BIT);
+        return apply_color_mask();
     }
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -126,7 +127,10 @@ void clear() {
     clear_color();
 }
 
-void writemask(Colorindex mask) { planes_now().writemask = mask; }
+void writemask(Colorindex mask) {
+    planes_now().writemask = mask;
+    apply_color_mask();
+}
 void RGBwritemask(short r, short g, short b) {
     wmpack(std::uint32_t(r & 0xFF) | std::uint32_t(g & 0xFF) << 8 | std::uint32_t(b & 0xFF) << 16 |
            0xFF000000u);
@@ -230,7 +234,7 @@ void czclear(unsigned long color, long depth) {
     const bool is_farthest = depth == 0xFFFFFFFFL;  // all bits: programs wrote it for that
     glClearDepth(is_farthest ? 1 : depth_of(depth));
     glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);  // the write mask does not hold
+    write_all_bits();
     clear_planes(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     apply_color_mask();
     apply_depth();

@@ -81,14 +81,6 @@ Pixels32 read(const Bounds& at) {
     return out;
 }
 
-/// What is drawn to holds before it is drawn.
-Pixels32 read_target(const Bounds& at) {
-    const State& s = state();
-    const bool back = s.double_buffered && s.draw_mode == NORMALDRAW && s.now.back;
-    glReadBuffer(back ? GL_BACK : GL_FRONT);
-    return read_selected(at, false);
-}
-
 /// Draws one rectangle of OpenGL's pixels, without the state that would change them.
 void draw_words(const Bounds& at, const Pixels32& words, float zoom_x, float zoom_y) {
     glPushAttrib(GL_ENABLE_BIT | GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -118,47 +110,12 @@ void draw_depths(const Bounds& at, const Pixels32& words) {
     glPopAttrib();
 }
 
-/// Each word fills the pixels of the zoom, whose factors are whole numbers from 1.
-Pixels32 zoomed(const Bounds& at, const Pixels32& words, int x_factor, int y_factor) {
-    Pixels32 out;
-    for (int y = 0; y < at.height() * y_factor; ++y)
-        for (int x = 0; x < at.width() * x_factor; ++x)
-            out.push_back(words[std::size_t(y / y_factor * at.width() + x / x_factor)]);
-    return out;
-}
-
-/// With a write mask of some bits: the pixels that are there keep the others.
-void write_masked(const Bounds& at, const Pixels32& words, std::uint32_t mask) {
-    const Pixels& p = state().pixels;
-    const int zoom_x = std::clamp(int(p.zoom_x + 0.5f), 1, 64),
-              zoom_y = std::clamp(int(p.zoom_y + 0.5f), 1, 64);
-    if (float(zoom_x) != p.zoom_x || float(zoom_y) != p.zoom_y || glIsEnabled(GL_BLEND) != 0 ||
-        glIsEnabled(GL_COLOR_LOGIC_OP) != 0)
-        warn(
-            "lrectwrite: a write mask of some bits holds with zooms of whole numbers, without "
-            "blending and logical operations; the pixels are others");
-    const Bounds target{at.left, at.left + at.width() * zoom_x - 1, at.bottom,
-                        at.bottom + at.height() * zoom_y - 1};
-    if (target.width() > 8192 || target.height() > 8192) return;
-    Pixels32 all = zoomed(at, words, zoom_x, zoom_y);
-    const Pixels32 old = read_target(target);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        all[i] = (all[i] & mask) | (old[i] & ~mask);
-        if (draws_indices()) all[i] = gl_pixel(all[i] & index_mask);
-    }
-    draw_words(target, all, 1, 1);
-}
-
 /// With the write masks, zoomed, and into the depths if zdraw says so.
 void write(const Bounds& at, Pixels32 words) {
     if (words.empty()) return;
     const State& s = state();
     if (s.draws_depth || s.pixels.memory.are_depths) draw_depths(at, words);
     if (s.pixels.memory.are_depths) return;
-    const std::uint32_t mask =
-        draws_indices() ? planes_now().writemask & index_mask : planes_now().rgb_mask;
-    if (draws_indices()) glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (mask != (draws_indices() ? index_mask : 0xFFFFFFFF)) return write_masked(at, words, mask);
     if (draws_indices())
         for (std::uint32_t& word : words) word = gl_pixel(word & index_mask);
     draw_words(at, words, s.pixels.zoom_x, s.pixels.zoom_y);

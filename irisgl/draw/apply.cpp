@@ -1,5 +1,6 @@
 #include "irisgl/draw/apply.h"
 
+#include "gl/draw/submit.h"
 #include "irisgl/draw/lighting.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
@@ -178,12 +179,51 @@ void apply_buffers() {
     glDrawBuffer(front && back ? GL_FRONT_AND_BACK : front ? GL_FRONT : back ? GL_BACK : GL_NONE);
 }
 
+namespace {
+
+/// Of planes of `bits`, those that a mask of 8 bits stands for: as a colour of 8 bits becomes one of
+/// theirs.
+std::uint16_t widened(unsigned mask, int bits) {
+    return std::uint16_t(mask << (bits - 8) | mask >> (16 - bits));
+}
+
+void set_mask_bits(const std::array<std::uint16_t, 4>& bits) {
+    gl::Context& context = current_window().context;
+    gl::change(context, context.state.color_buffer.mask_bits, bits);
+}
+
+void write_bits_of_index(unsigned mask) {
+    const IndexColor code{std::min(current_window().profile().color_bits, 8)};
+    const unsigned low = code.low(mask), high = code.high(mask);
+    glColorMask(low != 0, high != 0, GL_FALSE, GL_FALSE);
+    const auto part = [](unsigned bits, unsigned all) {
+        return std::uint16_t(bits == all ? 0xFFFF : bits);
+    };
+    set_mask_bits(
+        {part(low, code.low(index_mask)), part(high, code.high(index_mask)), 0xFFFF, 0xFFFF});
+}
+
+void write_bits_of_colors(std::uint32_t mask) {
+    const int bits = current_window().profile().color_bits;
+    const auto of = [&](int channel) { return mask >> 8 * channel & 0xFF; };
+    const auto part = [&](int channel) {
+        return of(channel) == 0xFF ? std::uint16_t(0xFFFF) : widened(of(channel), bits);
+    };
+    glColorMask(of(0) != 0, of(1) != 0, of(2) != 0, of(3) != 0);
+    set_mask_bits({part(0), part(1), part(2), part(3)});
+}
+
+}  // namespace
+
 void apply_color_mask() {
-    if (draws_indices()) return;  // set by each primitive
-    const std::uint32_t mask = planes_now().rgb_mask;
-    GLboolean on[4];
-    for (int i = 0; i < 4; ++i) on[i] = (mask >> 8 * i & 0xFF) != 0;
-    glColorMask(on[0], on[1], on[2], on[3]);
+    const PlaneState& p = planes_now();
+    draws_indices() ? write_bits_of_index(p.writemask & index_mask)
+                    : write_bits_of_colors(p.rgb_mask);
+}
+
+void write_all_bits() {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    set_mask_bits({0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF});
 }
 
 void apply_draw_mode() {

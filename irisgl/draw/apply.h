@@ -23,6 +23,8 @@ void apply_depth();
 void apply_blending();
 void apply_buffers();
 void apply_color_mask();
+/// Until apply_color_mask, the write mask does not hold.
+void write_all_bits();
 /// The state of the draw mode: other planes, other masks.
 void apply_draw_mode();
 

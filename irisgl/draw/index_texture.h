@@ -8,9 +8,9 @@
 
 namespace gw::irisgl {
 
-/// A texture whose texel i is the pixel of index i & mask. False, with a warning: the profile has no
+/// A texture whose texel i is the pixel of index i. False, with a warning: the profile has no
 /// textures of 4096 texels, so indices are not shaded.
-bool bind_index_texture(unsigned mask);
+bool bind_index_texture();
 void use_index_texture(bool on);
 /// Gives lit vertices the index of their light.
 void light_indices(std::vector<Vertex>& vertices);

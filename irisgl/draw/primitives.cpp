@@ -93,17 +93,13 @@ bool is_uniform(std::span<const Vertex> vertices) {
 struct Emission {
     bool indices = false, texture = false, lit = false, mixed = false;
     bool is_number = false;  ///< feedback: the index is a coordinate
-    MaskPass pass = MaskPass::Whole;
 };
 
 void emit_color(const Vertex& v, const Emission& e) {
     if (e.is_number) return glTexCoord1d(v.index);
     if (e.indices) {
-        const unsigned mask = planes_now().writemask;
-        if (e.pass == MaskPass::And)
-            gl_index_color(~mask & index_mask);
-        else if (!e.texture)
-            gl_index_color(e.pass == MaskPass::Or ? rounded(v.index) & mask : rounded(v.index));
+        if (!e.texture)
+            gl_index_color(rounded(v.index));
         else
             glTexCoord1d((std::clamp(v.index, 0.0, double(index_mask)) + 0.5) / 4096);
         return;
@@ -137,49 +133,6 @@ void emit_shape(Shape shape, std::span<const Vertex> vertices, const Emission& e
     if (adds_last_point(shape)) emit(GL_POINTS, vertices.last(1), e);
 }
 
-/// The parts of a write mask that colour masks can do.
-bool is_whole_channels(unsigned mask) {
-    const IndexColor code{std::min(current_window().profile().color_bits, 8)};
-    const unsigned low = code.low(index_mask), high = index_mask & ~low;
-    return ((mask & low) == 0 || (mask & low) == low) &&
-           ((mask & high) == 0 || (mask & high) == high);
-}
-
-void set_index_mask(unsigned mask) {
-    const IndexColor code{std::min(current_window().profile().color_bits, 8)};
-    glColorMask((mask & code.low(index_mask)) != 0,
-                (mask & ~code.low(index_mask) & index_mask) != 0, GL_FALSE, GL_FALSE);
-}
-
-/// Draws `draw` with the write mask of indices.
-template <class Draw>
-void with_index_mask(Emission e, const Draw& draw) {
-    const unsigned mask = planes_now().writemask & index_mask;
-    if (mask == 0 && !state().depth_test) return;
-    if (mask > 0xFF && state().compares_color && state().depth_test)
-        warn("zsource: colours above 255 are compared by parts: their low 8 and high 4 bits");
-    if (is_whole_channels(mask)) {
-        set_index_mask(mask);
-        draw(e);
-        return;
-    }
-    const bool writes_depth = state().depth_write;
-    set_index_mask(index_mask);
-    glEnable(GL_COLOR_LOGIC_OP);
-    glLogicOp(GL_AND);
-    glDepthMask(GL_FALSE);
-    e.pass = MaskPass::And;
-    const bool texture = std::exchange(e.texture, false);
-    draw(e);
-    glLogicOp(GL_OR);
-    glDepthMask(writes_depth);
-    e.pass = MaskPass::Or;
-    e.texture = texture;
-    draw(e);
-    glLogicOp(GL_COPY);
-    glDisable(GL_COLOR_LOGIC_OP);
-}
-
 std::vector<Vertex> unswapped(std::span<const Vertex> in, const std::vector<std::size_t>& swaps) {
     std::vector<Vertex> out;
     std::size_t swap = 0;
@@ -202,57 +155,13 @@ void draw_indices(Shape shape, std::span<const Vertex> vertices) {
         glDisable(GL_LIGHTING);
         return emit_shape(shape, vertices, {.indices = true, .is_number = true});
     }
-    Emission e{.indices = true};
-    e.texture = shape != Shape::Points && !is_uniform(vertices) &&
-                bind_index_texture(planes_now().writemask);
+    if (planes_now().writemask > 0xFF && state().compares_color && state().depth_test)
+        warn("zsource: colours above 255 are compared by parts: their low 8 and high 4 bits");
+    const bool texture = shape != Shape::Points && !is_uniform(vertices) && bind_index_texture();
     glDisable(GL_LIGHTING);
-    with_index_mask(e, [&](const Emission& pass) {
-        use_index_texture(pass.texture);
-        emit_shape(shape, vertices, pass);
-    });
+    use_index_texture(texture);
+    emit_shape(shape, vertices, {.indices = true, .texture = texture});
     use_index_texture(false);
-}
-
-bool has_part_of_channel(std::uint32_t mask) {
-    for (int i = 0; i < 4; ++i)
-        if (const unsigned bits = mask >> 8 * i & 0xFF; bits != 0 && bits != 0xFF) return true;
-    return false;
-}
-
-/// The bits of a colour of 8 bits a channel that a mask has.
-vec4 masked(const vec4& rgb, std::uint32_t mask) {
-    vec4 out;
-    for (int i = 0; i < 4; ++i) {
-        const double value = std::clamp(double(rgb[i]), 0.0, 1.0);
-        out[i] = float(unsigned(std::floor(value * 255 + 0.5)) & (mask >> 8 * i & 0xFF)) / 255;
-    }
-    return out;
-}
-
-/// False: what is drawn has several colours, or light, texture or blending changes them.
-bool draw_with_part_of_channel(Shape shape, std::span<const Vertex> vertices, bool lit) {
-    const vec4 rgb = vertices[0].rgb;
-    const bool is_one_color = std::all_of(vertices.begin(), vertices.end(),
-                                          [&](const Vertex& v) { return v.rgb == rgb; });
-    if (lit || !is_one_color || state().textured || glIsEnabled(GL_BLEND) ||
-        glIsEnabled(GL_COLOR_LOGIC_OP) || current_window().profile().color_bits != 8)
-        return false;
-    const std::uint32_t mask = planes_now().rgb_mask;
-    std::vector<Vertex> copy(vertices.begin(), vertices.end());
-    const auto pass = [&](GLenum operation, const vec4& color) {
-        for (Vertex& v : copy) v.rgb = color;
-        glLogicOp(operation);
-        emit_shape(shape, copy, {});
-    };
-    glDisable(GL_LIGHTING);
-    glEnable(GL_COLOR_LOGIC_OP);
-    glDepthMask(GL_FALSE);
-    pass(GL_AND, masked({1, 1, 1, 1}, ~mask));
-    glDepthMask(state().depth_write);
-    pass(GL_OR, masked(rgb, mask));
-    glLogicOp(GL_COPY);
-    glDisable(GL_COLOR_LOGIC_OP);
-    return true;
 }
 
 void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
@@ -261,12 +170,6 @@ void draw_rgb(Shape shape, std::span<const Vertex> vertices) {
     const bool colored = state().bound.color_mode != LMC_COLOR && state().bound.is_lit();
     const Emission e{.lit = lit > 0 || colored,
                      .mixed = lit > 0 && std::size_t(lit) < vertices.size() && !colored};
-    if (has_part_of_channel(planes_now().rgb_mask)) {
-        if (draw_with_part_of_channel(shape, vertices, e.lit)) return;
-        warn(
-            "wmpack: the mask has some bits of a channel; with several colours, light, texture or "
-            "blending the machine writes whole channels");
-    }
     (e.lit ? glEnable : glDisable)(GL_LIGHTING);
     emit_shape(shape, vertices, e);
     if (e.mixed) emit_material(true, {});
@@ -292,7 +195,6 @@ void draw_into_depths(Shape shape, std::span<const Vertex> vertices) {
     glDepthRange(depth, depth);
     emit_shape(shape, vertices, {});
     apply_depth();
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     apply_color_mask();
 }
 

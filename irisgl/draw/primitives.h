@@ -1,4 +1,4 @@
-// Points, lines and polygons of IRIS GL as primitives of OpenGL: colour map mode, write masks, depth
+// Points, lines and polygons of IRIS GL as primitives of OpenGL: colour map mode, depth
 // cueing, swapped meshes, concave polygons.
 #pragma once
 
@@ -73,9 +73,5 @@ void gl_index_color(unsigned index);
 /// Whether colours are indices in the draw mode.
 bool draws_indices();
 PlaneState& planes_now();
-
-/// Carries out `draw` as often as the write mask of indices needs: `draw(And)` with the complement of
-/// the mask, then `draw(Or)` with the index inside it, or once.
-enum class MaskPass : std::uint8_t { Whole, And, Or };
 
 }  // namespace gw::irisgl

@@ -107,6 +107,72 @@ TEST_F(IrisGlColors, TheRgbWriteMaskKeepsEachBitOutsideIt) {
     wmpack(0xFFFFFFFF);
 }
 
+// The bits of what is drawn without a mask, among those of the background.
+TEST_F(IrisGlColors, TheRgbWriteMaskHoldsForLightTextureAndBlending) {
+    RGBmode();
+    subpixel(TRUE);
+    const auto picture = [&](unsigned mask, const auto& draw) {
+        wmpack(0xFFFFFFFF);
+        blendfunction(BF_ONE, BF_ZERO);
+        cpack(0xFF5A6B7C);
+        clear();
+        wmpack(0xFF000000 | mask);
+        draw();
+        return shown(5, 5);
+    };
+    const auto shade = [] {
+        shademodel(GOURAUD);
+        bgnpolygon();
+        const unsigned long colors[4] = {0xFF0000FF, 0xFF00FF37, 0xFFC3A597, 0xFFFFFFFF};
+        const float corners[4][2] = {{0, 0}, {12, 0}, {12, 12}, {0, 12}};
+        for (int i = 0; i < 4; ++i) {
+            cpack(colors[i]);
+            v2f(const_cast<float*>(corners[i]));
+        }
+        endpolygon();
+    };
+    const auto blend = [&] {
+        blendfunction(BF_ONE, BF_ONE);
+        shade();
+    };
+    const auto combine = [&] {
+        logicop(LO_XOR);
+        shade();
+        logicop(LO_SRC);
+    };
+    const unsigned mask = 0x81F03C;
+    const auto expect_bits = [&](const auto& draw) {
+        const std::uint32_t whole = picture(0xFFFFFF, draw);
+        EXPECT_NE(whole, 0x5A6B7Cu);
+        EXPECT_EQ(picture(mask, draw), (0x5A6B7Cu & ~mask) | (whole & mask));
+    };
+    expect_bits(shade);
+    expect_bits(blend);
+    expect_bits(combine);
+    wmpack(0xFFFFFFFF);
+}
+
+TEST_F(IrisGlColors, TheWriteMaskHoldsForShadedIndicesAndLogicalOperations) {
+    const auto index_after = [&](unsigned mask, long op) {
+        writemask(0xFFF);
+        color(0x5A6);
+        clear();
+        writemask(Colorindex(mask));
+        logicop(op);
+        const float corners[4][2] = {
+            {-0.5f, -0.5f}, {15.5f, -0.5f}, {15.5f, 15.5f}, {-0.5f, 15.5f}};
+        const Colorindex indices[4] = {100, 420, 420, 100};
+        splf2(4, const_cast<float(*)[2]>(corners), const_cast<Colorindex*>(indices));
+        logicop(LO_SRC);
+        return index_at(5, 7);
+    };
+    subpixel(TRUE);
+    EXPECT_EQ(index_after(0xFFF, LO_SRC), 210);
+    EXPECT_EQ(index_after(0x3C3, LO_SRC), (0x5A6 & ~0x3C3) | (210 & 0x3C3));
+    EXPECT_EQ(index_after(0x3C3, LO_XOR), (0x5A6 & ~0x3C3) | ((0x5A6 ^ 210) & 0x3C3));
+    writemask(0xFFF);
+}
+
 // From the top: pop-up, overlay, picture, underlay.
 TEST_F(IrisGlColors, EachKindOfPlanesHasItsPlaceInTheStack) {
     color(0);

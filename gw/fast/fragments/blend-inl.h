@@ -103,9 +103,8 @@ enum class CommonBlend { None, Transparency, Glow, Product };
 HWY_INLINE CommonBlend common_blend(const Resolved& r) {
     using enum BlendFactor;
     const BlendState& b = r.state.blend;
-    const ColorMask& m = r.state.color_mask;
     if (r.bits != 8 || !b.enable || b.equation != BlendEquation::Add || b.alpha.separate ||
-        !(m.r && m.g && m.b && m.a))
+        !r.writes_whole_color)
         return CommonBlend::None;
     if (b.src == SrcAlpha && b.dst == OneMinusSrcAlpha) return CommonBlend::Transparency;
     if (b.src == SrcAlpha && b.dst == One) return CommonBlend::Glow;
@@ -189,6 +188,19 @@ HWY_INLINE void add_block(int bits, const ColorBlock& src, const ColorBlock& dst
         }
 }
 
+/// The bits that are written, among those that are stored.
+HWY_NOINLINE inline void merge_bits(const Resolved& r, const ColorBlock& src, const ColorBlock& dst,
+                                    ColorBlock& out) {
+    const D16 d;
+    for (std::size_t c = 0; c < 4; ++c) {
+        const auto bits = hn::Set(d, r.written_bits[c]);
+        for (std::size_t i = 0; i < block_pixels; i += lanes16)
+            hn::Store(hn::Or(hn::And(bits, hn::Load(d, src.channel[c] + i)),
+                             hn::AndNot(bits, hn::Load(d, dst.channel[c] + i))),
+                      d, out.channel[c] + i);
+    }
+}
+
 /// Any blend or logical operation, through any colour mask.
 HWY_NOINLINE inline void join_and_write(const Resolved& r, const ColorBlock& src, ColorBlock& dst,
                                         std::uint32_t mask) {
@@ -203,13 +215,15 @@ HWY_NOINLINE inline void join_and_write(const Resolved& r, const ColorBlock& src
         else
             blend_block(r, src, dst, joined);
     }
-    const ColorMask& m = r.state.color_mask;
-    const bool channel[4] = {m.r, m.g, m.b, m.a};
+    if (r.writes_part_bits) {
+        merge_bits(r, *out, dst, joined);
+        out = &joined;
+    }
     const D16 d;
     for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         const auto lanes = lanes_of(d, mask, i);
         for (std::size_t c = 0; c < 4; ++c)
-            if (channel[c])
+            if (r.written_bits[c] != 0)
                 store_lanes(hn::Load(d, out->channel[c] + i), lanes, d, dst.channel[c] + i);
     }
 }

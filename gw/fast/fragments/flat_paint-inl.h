@@ -25,9 +25,9 @@ struct SimpleStore {
           max(std::uint16_t(max_of_bits(draw.op->state.bits))) {}
     HWY_INLINE static bool applies_to(const DrawOp& op) {
         const BlendState& b = op.state.state.blend;
-        const ColorMask& m = op.state.state.color_mask;
-        return !has_fog(op.state.state) && !op.sums_colors && !op.texels && m.r && m.g && m.b &&
-               m.a && !op.state.state.logic_op.enable && (!b.enable || adds_colors(b));
+        return !has_fog(op.state.state) && !op.sums_colors && !op.texels &&
+               op.state.writes_whole_color && !op.state.state.logic_op.enable &&
+               (!b.enable || adds_colors(b));
     }
     template <class D>
     HWY_INLINE hn::Vec<D> result(D d, hn::Vec<D> own, const std::uint16_t* stored) const {

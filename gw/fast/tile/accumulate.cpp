@@ -17,23 +17,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-inline std::array<bool, 4> writable(const AccumulateOp& op) {
-    const ColorMask& m = op.state.state.color_mask;
-    return {m.r, m.g, m.b, m.a};
-}
-
 /// Any weight, lane by lane.
 inline std::uint64_t accumulate_lanes(const AccumulateOp& op, const Profile& profile,
                                       AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
     const Accumulate& a = *op.accumulate;
-    const std::array<bool, 4> channel = writable(op);
     std::uint64_t overflows = 0;
     for (; mask != 0; mask &= mask - 1)
         for (std::size_t c = 0, i = std::size_t(std::countr_zero(mask)); c < 4; ++c) {
             std::int32_t& stored = accum.channel[c][i];
             std::uint16_t& own = color.channel[c][i];
             if (a.op == AccumOp::Return) {
-                if (channel[c]) own = returned(stored, a.value, profile);
+                own = with_written_bits(own, returned(stored, a.value, profile),
+                                        op.state.written_bits[c]);
                 continue;
             }
             bool overflow = false;
@@ -136,14 +131,13 @@ inline void return_channel(const AccumulateOp& op, const Profile& profile,
 /// Any weight, all lanes at once if the products are exact.
 inline std::uint64_t accumulate_any(const AccumulateOp& op, const Profile& profile,
                                     AccumBlock& accum, ColorBlock& color, std::uint32_t mask) {
-    if (mask != 0xFFFF || !(std::abs(op.accumulate->value) <= 256))
+    if (mask != 0xFFFF || !(std::abs(op.accumulate->value) <= 256) || op.state.writes_part_bits)
         return accumulate_lanes(op, profile, accum, color, mask);
-    const std::array<bool, 4> channel = writable(op);
     std::uint64_t overflows = 0;
     for (std::size_t c = 0; c < 4; ++c) {
         if (op.accumulate->op != AccumOp::Return)
             overflows += accumulate_channel(op, profile, accum.channel[c], color.channel[c]);
-        else if (channel[c])
+        else if (op.state.written_bits[c] != 0)
             return_channel(op, profile, accum.channel[c], color.channel[c]);
     }
     return overflows;

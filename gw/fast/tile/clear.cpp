@@ -24,11 +24,23 @@ HWY_INLINE void fill(D d, T (&values)[block_pixels], T value, std::uint32_t mask
     }
 }
 
+/// Sets these bits of the lanes of `mask` in one channel.
+HWY_INLINE void fill_bits(std::uint16_t (&values)[block_pixels], std::uint16_t value,
+                          std::uint16_t bits, std::uint32_t mask) {
+    const D16 d;
+    const auto kept = hn::Set(d, std::uint16_t(~bits)),
+               set = hn::Set(d, std::uint16_t(value & bits));
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
+        const auto v = hn::Or(hn::And(hn::Load(d, values + i), kept), set);
+        store_lanes(v, lanes_of(d, mask, i), d, values + i);
+    }
+}
+
 /// Sets a block's colour. A block that is set wholly becomes uniform.
 HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
     UniformGroup& group = clear.tile.group(bx, by);
     const std::uint32_t i = clear.tile.in_group(bx, by);
-    if (mask == all_lanes && clear.clears_color()) {
+    if (mask == all_lanes && clear.clears_color) {
         group.color[i] = std::bit_cast<std::uint64_t>(clear.color);
         group.one_color = std::uint16_t(group.one_color | 1u << i);
         return;
@@ -36,7 +48,7 @@ HWY_INLINE void clear_color(const ClearBlocks& clear, int bx, int by, std::uint3
     write_back_color(clear.tile, bx, by);
     ColorBlock& block = clear.tile.color[clear.tile.block(bx, by)];
     for (std::size_t c = 0; c < 4; ++c)
-        if (clear.channel[c]) fill(D16(), block.channel[c], clear.color[c], mask);
+        fill_bits(block.channel[c], clear.color[c], clear.written_bits[c], mask);
 }
 
 HWY_INLINE void clear_depth(const ClearBlocks& clear, int bx, int by, std::uint32_t mask) {
@@ -58,7 +70,7 @@ HWY_INLINE void clear_groups(const ClearBlocks& clear) {
     for (int y = clear.box.y0; y < clear.box.y1; y += side)
         for (int x = clear.box.x0; x < clear.box.x1; x += side) {
             UniformGroup& group = clear.tile.group(x / block_side, y / block_side);
-            if (clear.clears_color()) {
+            if (clear.clears_color) {
                 std::fill(std::begin(group.color), std::end(group.color),
                           std::bit_cast<std::uint64_t>(clear.color));
                 group.one_color = all_lanes;
@@ -73,11 +85,11 @@ HWY_INLINE void clear_groups(const ClearBlocks& clear) {
 void clear_all(const ClearBlocks& clear) {
     const BlockBox& box = clear.box;
     const bool color = clear.touches_color();
-    clear.tile.has_uniform->color |= clear.clears_color();
+    clear.tile.has_uniform->color |= clear.clears_color;
     clear.tile.has_uniform->depth |= clear.clears_depth;
     if (box.whole(clear.tile) && clear.clears_depth) clear.tile.depth_planes->clear();
     const bool groups = (box.x0 | box.y0 | box.x1 | box.y1) % (group_blocks * block_side) == 0;
-    if (groups && color == clear.clears_color()) return clear_groups(clear);
+    if (groups && color == clear.clears_color) return clear_groups(clear);
     for (int by = box.y0 / block_side; by * block_side < box.y1; ++by)
         for (int bx = box.x0 / block_side; bx * block_side < box.x1; ++bx) {
             const std::uint32_t mask = box.mask(bx, by);

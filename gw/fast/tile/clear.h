@@ -13,13 +13,13 @@ namespace gw::fast {
 struct ClearBlocks {
     Tile tile;
     BlockBox box;
-    std::array<bool, 4> channel{};  ///< the colour channels to clear
+    Rgba written_bits{};        ///< of the colour's channels
+    bool clears_color = false;  ///< all of them
     bool clears_depth = false;
     Rgba color{};
     std::uint32_t depth = 0;
 
-    bool clears_color() const { return channel[0] && channel[1] && channel[2] && channel[3]; }
-    bool touches_color() const { return channel[0] || channel[1] || channel[2] || channel[3]; }
+    bool touches_color() const { return written_bits != Rgba{}; }
 };
 void clear_blocks(const ClearBlocks& clear);
 

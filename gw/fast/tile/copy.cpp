@@ -31,12 +31,13 @@ std::uint64_t copy_pixels(const Copy& command, const Resolved& r, Planes& planes
         const DrawBuffer to_buffer = r.state.draw_buffer;
         const bool front = to_buffer != DrawBuffer::Back,
                    back = to_buffer == DrawBuffer::Back || to_buffer == DrawBuffer::FrontAndBack;
-        const ColorMask& m = r.state.color_mask;
-        const bool channel[4] = {m.r, m.g, m.b, m.a};
         return for_each_copied(command, r.pixel_box, planes, [&](std::size_t to, std::size_t from) {
             for (std::size_t c = 0; c < 4; ++c) {
-                if (front && channel[c]) planes.color[to][c] = before[from][c];
-                if (back && channel[c]) planes.back[to][c] = before[from][c];
+                const auto write = [&](std::uint16_t& stored) {
+                    stored = with_written_bits(stored, before[from][c], r.written_bits[c]);
+                };
+                if (front) write(planes.color[to][c]);
+                if (back) write(planes.back[to][c]);
             }
         });
     }

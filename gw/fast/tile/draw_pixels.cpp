@@ -75,9 +75,8 @@ HWY_INLINE void load_colors(const PlacedPixels& placed, int x, int y, ColorBlock
 /// Whether all fragments pass and do no more than store their colours.
 bool only_stores_colors(const Resolved& r) {
     const State& s = r.state;
-    const ColorMask& m = s.color_mask;
     return r.samples == 1 && s.alpha.func == AlphaFunc::Always && ignores_stencil(r.front) &&
-           s.depth.func == DepthFunc::Always && !s.depth.mask && m.r && m.g && m.b && m.a &&
+           s.depth.func == DepthFunc::Always && !s.depth.mask && r.writes_whole_color &&
            !s.blend.enable && !s.logic_op.enable && !draws_to_both(s);
 }
 

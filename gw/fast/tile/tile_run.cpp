@@ -151,8 +151,10 @@ struct TileRun {
         counts->pixels += pixels_in(inside) * std::uint64_t(std::popcount(op.planes));
         const auto wants = [&](Plane plane) { return (op.planes & mask_of(plane)) != 0; };
         ClearBlocks clear{tile, inside};
-        const ColorMask& m = r.state.color_mask;
-        if (wants(Plane::Color)) clear.channel = {m.r, m.g, m.b, m.a};
+        if (wants(Plane::Color)) {
+            clear.written_bits = r.written_bits;
+            clear.clears_color = r.writes_whole_color;
+        }
         clear.clears_depth = wants(Plane::Depth) && r.depth_mask;
         clear.color = quantize_color(op.clear->color, r.bits);
         clear.depth = quantize(op.clear->depth, profile.depth_bits);
@@ -177,8 +179,8 @@ struct TileRun {
     void clear_other_color(const ClearBlocks& clear) const {
         for_each_block(tile, clear.box, [&](std::size_t b, int, int, std::uint32_t mask) {
             for (std::size_t c = 0; c < 4; ++c)
-                if (clear.channel[c])
-                    fill_lanes(tile.other_color[b].channel[c], clear.color[c], mask);
+                fill_bits(tile.other_color[b].channel[c], clear.color[c], clear.written_bits[c],
+                          mask);
         });
     }
     static std::uint64_t pixels_in(const BlockBox& b) {
@@ -191,6 +193,11 @@ struct TileRun {
             fill_lanes(block.value, value, mask);
         else
             write_stencil(r, block, mask, [&](std::size_t) { return value; });
+    }
+    static void fill_bits(std::uint16_t (&values)[block_pixels], std::uint16_t value,
+                          std::uint16_t bits, std::uint32_t mask) {
+        for (std::size_t i = 0; i < block_pixels; ++i)
+            if (mask >> i & 1) values[i] = with_written_bits(values[i], value, bits);
     }
     template <typename T>
     static void fill_lanes(T (&values)[block_pixels], std::uint32_t value, std::uint32_t mask) {

@@ -84,10 +84,9 @@ HWY_INLINE void make_textures(const TileDraw& draw, VisibleRecord& record) {
 /// Whether a textured draw only adds its modulated colour, in 8 bits: most passes of [K3].
 HWY_INLINE bool adds_modulated(const Resolved& r) {
     const BlendState& b = r.state.blend;
-    const ColorMask& m = r.state.color_mask;
     return r.bits == 8 && r.state.texture.env == TexEnv::Modulate && !has_fog(r.state) &&
-           r.state.color_source != ColorSource::PolygonId && b.enable && adds_colors(b) && m.r &&
-           m.g && m.b && m.a;
+           r.state.color_source != ColorSource::PolygonId && b.enable && adds_colors(b) &&
+           r.writes_whole_color;
 }
 HWY_INLINE void add_modulated(const ColorBlock& color, const ColorBlock& texel, ColorBlock& stored,
                               std::uint32_t mask) {
@@ -189,7 +188,7 @@ struct Replay {
                       entry.primitive % batch_capacity &
                   1))
                 return false;
-        return !draw.op->state.state.color_mask.a || is_opaque(draw.tile.color[run.block], mask);
+        return draw.op->state.written_bits[3] == 0 || is_opaque(draw.tile.color[run.block], mask);
     }
     /// Whether the lanes have the largest alpha.
     HWY_INLINE bool is_opaque(const ColorBlock& stored, std::uint32_t mask) const {

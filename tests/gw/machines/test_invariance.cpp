@@ -97,6 +97,7 @@ const Change changes[] = {
      [](State& s) {
          s.color_mask = {true, false, true, false};
      }},
+    {"color_mask_bits", [](State& s) { s.color_mask_bits = {.r = 0x0F, .g = 0, .a = 0x55}; }},
     {"draw_buffer none", [](State& s) { s.draw_buffer = DrawBuffer::None; }},
     {"draw_buffer", [](State& s) { s.draw_buffer = DrawBuffer::FrontAndBack; }},
     {"read_buffer", [](State& s) { s.read_buffer = ReadBuffer::Back; }},
@@ -178,7 +179,8 @@ const Change changes[] = {
                                   diamond_lines, point_smooth, line_smooth, polygon_smooth,
                                   shade_model, color_source, lighting, color_sum, fog, texture,
                                   more_textures, scissor, alpha, stencil, depth, blend, logic_op,
-                                  color_mask, multisample, draw_buffer, read_buffer] = state;
+                                  color_mask, color_mask_bits, multisample, draw_buffer,
+                                  read_buffer] = state;
 }
 
 struct Scene {

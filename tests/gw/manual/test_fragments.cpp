@@ -25,6 +25,52 @@ TEST(ManualFragments, TheColourMask) {
     EXPECT_EQ(bench.color(0, 0), (Rgba{10, 2, 0, 4}));
 }
 
+// [R12.19] The worked example.
+TEST(ManualFragments, SomeBitsOfAChannel) {
+    Workbench bench(vgx(), 1, 1);
+    bench.write(pixel, {15, 200, 7, 9});
+    bench.state.color_mask_bits = {.r = 0xF0, .g = 0x0F, .a = 0};
+    bench.state.blend = {true, BlendFactor::One, BlendFactor::One};
+    bench.write(pixel, {170, 85, 51, 0});
+    EXPECT_EQ(bench.color(0, 0), (Rgba{191, 207, 58, 9}));
+}
+
+// [R12.19] Clears, copies and returns write the same bits, to both planes.
+TEST(ManualFragments, EveryCommandWritesThroughTheBits) {
+    const auto after = [](const auto& command) {
+        Profile two = vgx();
+        two.color_planes = 2;
+        Workbench bench(two, 2, 1);
+        bench.state.draw_buffer = DrawBuffer::FrontAndBack;
+        bench.write({0, 0, 1, 1}, {0x5A, 0x5A, 0x5A, 0x5A});
+        bench.write({1, 0, 1, 1}, {0xC3, 0xC3, 0xC3, 0xC3});
+        bench.run(Accumulate{AccumOp::Load, 1});
+        bench.state.color_mask_bits = {.r = 0x0F, .g = 0xF0, .b = 0};
+        bench.state.color_mask.a = false;
+        bench.run(command);
+        EXPECT_EQ(bench.back(0, 0), bench.color(0, 0));
+        return bench.color(0, 0);
+    };
+    EXPECT_EQ(after(Clear{mask_of(Plane::Color), vec4(1)}), (Rgba{0x5F, 0xFA, 0x5A, 0x5A}));
+    EXPECT_EQ(after(Copy{.plane = Plane::Color, .source = {1, 0, 1, 1}}),
+              (Rgba{0x53, 0xCA, 0x5A, 0x5A}));
+    EXPECT_EQ(after(Accumulate{AccumOp::Return, 2}), (Rgba{0x54, 0xBA, 0x5A, 0x5A}));  // 0xB4
+}
+
+// [R12.19] [R14.8] Bits that are not written are read, unless the plane has no such bits.
+TEST(ManualFragments, BitsAboveThePlaneHaveNoEffect) {
+    Workbench bench(vgx(), 1, 1);
+    const auto bytes = [&](const ColorMaskBits& bits) {
+        bench.state.color_mask_bits = bits;
+        bench.take_counters();
+        bench.write(pixel, {1, 1, 1, 1});
+        return bench.take_counters().bytes;
+    };
+    EXPECT_EQ(bytes({0xFF, 0xFF, 0xFF, 0xFF}), 4u);
+    EXPECT_EQ(bytes({0xFF, 0xFF, 0xFF, 0x7F}), 8u);
+    EXPECT_EQ(bytes({0xFF00, 0xFF00, 0xFF00, 0xFF00}), 0u);
+}
+
 // [R12.5] [R12.6] [R12.7]
 TEST(ManualFragments, StencilByHand) {
     Workbench bench(vgx(), 1, 1);
