@@ -24,6 +24,7 @@ Case fog_case(Random& random);
 Case fog_coordinate_case(Random& random);
 Case generated_texture_case(Random& random);
 Case identifier_case(Random& random);
+Case indices_case(Random& random);
 Case jitter_case(Random& random);
 Case joined_colors_case(Random& random);
 Case drawn_pixels_case(Random& random);

@@ -144,6 +144,8 @@ const std::vector<Group>& all_groups() {
          diamond_lines_case, 32, color | depth, {&C::clipped, &C::depth_killed, &C::texels, &C::written}},
         {"exact-rho", "textures, cubes and volumes with levels by the lengths of rho", "R10.46",
          exact_rho_case, 24, color, {&C::texels, &C::written}},
+        {"indices", "indices drawn, masked by bit and shown through maps that change, above and below others", "R18.1-R18.6 R12.19",
+         indices_case, 24, color, {&C::texels, &C::pixels, &C::written}},
         {"write-bits", "some bits of channels written by every command that writes colours", "R12.19",
          write_bits_case, 24, color, {&C::alpha_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
     };

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <iterator>
 #include <sstream>
+#include <utility>
 
 namespace gw::conformance {
 namespace {
 
-/// A pass for each command that is not SetState, so that the first difference names its command.
+/// A pass for each command that is not SetState, so that the first difference names its command. A
+/// list for each colour map.
 inspect::Recording recording_of(const Case& c, const std::string& name) {
     inspect::Recording out;
     out.producer = "gw conformance";
@@ -20,8 +22,15 @@ inspect::Recording recording_of(const Case& c, const std::string& name) {
     out.width = c.width;
     out.height = c.height;
     CommandList list;
-    std::size_t ordinal = 0;
+    std::size_t ordinal = 0, index = 0;
+    auto map = c.maps.begin();
     for (const Command& command : c.list.commands) {
+        for (; map != c.maps.end() && map->command == index; ++map) {
+            if (!list.commands.empty()) out.lists.push_back(std::exchange(list, {}));
+            out.color_maps.resize(out.lists.size() + 1);
+            out.color_maps.back() = map->map;
+        }
+        ++index;
         if (std::holds_alternative<BeginPass>(command)) continue;
         if (!std::holds_alternative<SetState>(command))
             list.add(BeginPass{fmt::format("{:02} {}", ++ordinal, name_of(command))});

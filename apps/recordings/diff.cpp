@@ -46,9 +46,12 @@ int diff_manifests(const DiffOptions& options) {
     if (!finding->pass || !finding->what.starts_with("plane ") || a.values.empty() ||
         b.values.empty())
         return Differs;
-    const inspect::ResultDifference d = inspect::located({.finding = *finding,
-                                                          .a = values_after(a, *finding->pass),
-                                                          .b = values_after(b, *finding->pass)});
+    const inspect::ResultDifference d =
+        inspect::located({.finding = *finding,
+                          .a = values_after(a, *finding->pass),
+                          .b = values_after(b, *finding->pass),
+                          .map_a = map_of_pass(a.manifest, *finding->pass),
+                          .map_b = map_of_pass(b.manifest, *finding->pass)});
     print(inspect::text(d.finding, a.manifest.height) +
           inspect::wrong_pixel_lines(d, std::size_t(options.pixels)));
     if (!options.picture.empty()) image::write_picture(options.picture, picture_of(d));

@@ -36,9 +36,9 @@ STORED = {Plane.Color: "<u2", Plane.Depth: "<u4", Plane.Stencil: "u1", Plane.Acc
           Plane.Back: "<u2"}
 
 
-def digest(planes, plane):
-    """[R14.10] As 32 hexadecimal digits."""
-    values = planes.of(plane).astype(STORED[plane])
+def digest(values, plane):
+    """[R14.10] Of values of that plane, as 32 hexadecimal digits."""
+    values = values.astype(STORED[plane])
     height, width = values.shape[:2]
     blocks = b"".join(
         xxhash.xxh3_128_digest(values[y:y + 64, x:x + 64].tobytes())
@@ -59,6 +59,7 @@ class Machine:
         self.textures = {}
         self.pass_name = None
         self.query, self.queries = None, []  # [R14.11]
+        self.color_map = None
 
     def use(self, number):
         """[R16.2] The surface that commands draw to."""
@@ -93,13 +94,16 @@ class Machine:
                 if self.pass_name is None:
                     self.pass_name = ""
                 self.run(command)
+            self.color_map = command.color_map
         if self.pass_name is not None:
             yield self.end_pass()
 
     def end_pass(self):
         window = self.surfaces[0].values  # [R16.4]
-        digests = {plane.name.lower(): digest(window, plane) for plane in Plane
+        digests = {plane.name.lower(): digest(window.of(plane), plane) for plane in Plane
                    if plane != Plane.Back or self.profile.color_planes == 2}
+        if self.color_map is not None:  # [R18.6]
+            digests["shown"] = digest(self.color_map.shown(window.color), Plane.Color)
         ended = (self.pass_name, {k: v for k, v in self.counters.items() if v}, digests,
                  self.queries)
         if self.query is not None:

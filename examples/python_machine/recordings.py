@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from .images import image_of
+from .indices import color_map_of
 from .profile import Profile
 from .state import Box, State, float32, identity
 
@@ -203,6 +204,7 @@ class Command:
     """A command of [R5.1]: its name, and its members by the manual's words."""
     kind: str
     members: dict
+    color_map: Any = None  # of its list [R18.4]
 
     def __getattr__(self, name):
         try:
@@ -289,10 +291,17 @@ class Reader:
 
     def commands(self):
         """Of all lists, in order: how they are cut changes nothing [R1.2]."""
+        color_map = None
         for table in self.parts:
             self.begin(table)
             for i in range(table.ListsLength()):
-                yield from self.commands_of(table.Lists(i))
+                given = table.Lists(i).ColorMap()
+                if given is not None:
+                    given = generated("ColorMapT").InitFromObj(given)
+                color_map = color_map_of(given, color_map)
+                for command in self.commands_of(table.Lists(i)):
+                    command.color_map = color_map
+                    yield command
 
     def commands_of(self, commands):
         kinds = names_of("CommandType")

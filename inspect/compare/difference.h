@@ -22,7 +22,7 @@ struct ResultDifference {
     Finding finding;
     Plane plane = Plane::Color;
     Planes a, b;  ///< after the pass
-    /// Of the recordings, which must outlive it: the colours are indices. Null: they are not.
+    /// Of the recordings or manifests, which must outlive it: the colours are indices. Null: they are not.
     const ColorMap *map_a = nullptr, *map_b = nullptr;
 };
 

@@ -42,10 +42,23 @@ std::optional<Finding> state_difference(const std::vector<Field>& expected,
     return {};
 }
 
+/// Of passes with the same planes. Older manifests do not know what was shown.
+std::optional<Finding> shown_difference(const ManifestPass& expected, const ManifestPass& actual,
+                                        std::size_t i) {
+    if (!expected.shown || expected.shown == actual.shown) return {};
+    return Finding{.what = "the shown picture",
+                   .pass = i,
+                   .pass_name = expected.report.name,
+                   .expected = to_string(*expected.shown),
+                   .actual = actual.shown ? to_string(*actual.shown) : "colours",
+                   .notes = {"the planes agree: the colour maps differ"}};
+}
+
 /// Of two passes at place `i`.
 std::optional<Finding> pass_difference(const ManifestPass& expected, const ManifestPass& actual,
                                        std::size_t i) {
     std::optional<Finding> finding = first_difference(expected.report, actual.report, i);
+    if (!finding) finding = shown_difference(expected, actual, i);
     std::optional<Finding> cause = state_difference(expected.state, actual.state);
     if (!cause && expected.set != actual.set)
         cause = Finding{.what = "parameter set", .expected = expected.set, .actual = actual.set};

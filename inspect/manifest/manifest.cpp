@@ -3,6 +3,7 @@
 #include "inspect/recording/check_lists.h"
 #include "inspect/recording/content.h"
 #include "inspect/replay/forwarding_machine.h"
+#include "inspect/replay/shown_maps.h"
 
 #include <fmt/format.h>
 
@@ -68,6 +69,7 @@ void add(PassRuns& runs, const ManifestPass& pass) {
 ManifestPass merged(const PassRuns& runs) {
     ManifestPass pass = runs.first;
     if (runs.count == 1) return pass;
+    pass.shown.reset();
     pass.report.name += fmt::format(", {} runs", runs.count);
     for (const Plane plane : every_plane)
         if (const auto i = std::size_t(plane); pass.report.digested & mask_of(plane))
@@ -75,9 +77,21 @@ ManifestPass merged(const PassRuns& runs) {
     return pass;
 }
 
+void add_color_maps(Manifest& manifest, const ShownMaps& maps) {
+    const ColorMap none;
+    const ColorMap* before = &none;
+    for (std::size_t i = 0; i < manifest.passes.size(); ++i) {
+        const ColorMap* now = maps.of_pass(i);
+        if (now == nullptr) now = &none;
+        if (*now != *before) manifest.passes[i].color_map = *now;
+        before = now;
+    }
+}
+
 }  // namespace
 
-Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports) {
+Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports,
+                     const std::vector<std::optional<Digest>>& shown) {
     Manifest manifest{.producer = recording.producer,
                       .scene = recording.scene,
                       .scene_hash = scene_content(recording),
@@ -93,8 +107,17 @@ Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& 
         manifest.passes.push_back(
             {set_of(recording, ranges[i].name), changed_fields(before, states[i]), reports.at(i)});
         before = states[i];
+        if (i < shown.size()) manifest.passes.back().shown = shown[i];
     }
+    add_color_maps(manifest, ShownMaps(recording));
     return manifest;
+}
+
+const ColorMap* map_of_pass(const Manifest& manifest, std::size_t pass) {
+    for (std::size_t i = pass + 1; i-- > 0;)
+        if (const auto& map = manifest.passes.at(i).color_map)
+            return map->bits != 0 ? &*map : nullptr;
+    return nullptr;
 }
 
 Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
@@ -102,10 +125,12 @@ Manifest replayed_manifest(const Recording& recording, const MachineMaker& make,
     validate_lists(recording);
     const auto machine = make(recording);
     DigestingMachine digesting(*machine);
+    ShownDigests shown(recording);
     play_by_pass(recording, digesting, [&](std::size_t) {
         if (values) values->add(machine->planes());
+        shown.add(*machine);
     });
-    return manifest_of(recording, machine->passes());
+    return manifest_of(recording, machine->passes(), shown.all());
 }
 
 Manifest merge_runs(const Manifest& manifest) {

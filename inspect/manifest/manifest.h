@@ -7,8 +7,10 @@
 #include "inspect/manifest/values.h"
 #include "inspect/recording/recording.h"
 #include "inspect/replay/player.h"
+#include "inspect/shown/color_map.h"
 #include "inspect/text/state_fields.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,9 @@ struct ManifestPass {
     /// the fields that differ from the pass before (of the first: from GL's initial state)
     std::vector<Field> state;
     PassReport report;  ///< with digests of all planes
+    /// if it is another than that of the pass before; of 0 bits: colours are colours again
+    std::optional<ColorMap> color_map;
+    std::optional<Digest> shown;  ///< of the shown picture, if colours are indices
     bool operator==(const ManifestPass&) const = default;
 };
 
@@ -38,8 +43,11 @@ struct Manifest {
 
 inline constexpr int manifest_version = 1;
 
-/// `reports`: of all of its passes, with digests of all planes.
-Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports);
+/// `reports`: of all of its passes, with digests of all planes. `shown`: of ShownDigests.
+Manifest manifest_of(const Recording& recording, const std::vector<PassReport>& reports,
+                     const std::vector<std::optional<Digest>>& shown = {});
+/// At the end of a pass; null: colours are not indices.
+const ColorMap* map_of_pass(const Manifest& manifest, std::size_t pass);
 
 /// Replays a recording and describes the result. `values`: receives the planes after every pass;
 /// may be null.

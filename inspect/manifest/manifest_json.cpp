@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 
 namespace gw::inspect {
@@ -40,6 +41,17 @@ Json counters_json(const Counters& counters) {
     return json;
 }
 
+/// The entries are six digits each: R, G, B.
+Json color_map_json(const ColorMap& map) {
+    std::string entries;
+    for (const std::uint32_t rgb : map.entries)
+        entries += fmt::format("{:02x}{:02x}{:02x}", rgb & 255, rgb >> 8 & 255, rgb >> 16 & 255);
+    return {{"planes", name_of(map.planes)},
+            {"bits", map.bits},
+            {"bits_in_r", map.bits_in_r},
+            {"entries", std::move(entries)}};
+}
+
 Json pass_json(const ManifestPass& pass) {
     Json json{{"name", pass.report.name},
               {"set", pass.set},
@@ -49,9 +61,11 @@ Json pass_json(const ManifestPass& pass) {
     for (const Plane plane : planes_in_order)
         if (pass.report.digested & mask_of(plane))
             digests[name_of(plane)] = to_string(pass.report.digests[std::size_t(plane)]);
+    if (pass.shown) digests["shown"] = to_string(*pass.shown);
     if (!digests.empty()) json["digests"] = std::move(digests);
     for (const QueryResult& query : pass.report.queries)
         json["queries"].push_back({query.key, query.samples});
+    if (pass.color_map) json["color_map"] = color_map_json(*pass.color_map);
     return json;
 }
 
@@ -159,6 +173,30 @@ std::vector<QueryResult> queries_from(const Json& json, const std::string& where
     return out;
 }
 
+ColorMap color_map_from(const Json& json, const std::string& where) {
+    Members m(json, where);
+    ColorMap map;
+    const auto planes = m.get<std::string>("planes");
+    const auto named = std::ranges::find_if(every_index_planes,
+                                            [&](IndexPlanes p) { return planes == name_of(p); });
+    if (named == every_index_planes.end())
+        m.fail("'planes' is '" + planes + "'; expected window, overlay, underlay or pop-up");
+    map.planes = *named;
+    map.bits = m.get<int>("bits");
+    map.bits_in_r = m.get<int>("bits_in_r");
+    const auto digits = m.get<std::string>("entries");
+    m.finish();
+    for (std::size_t i = 0; i + 6 <= digits.size(); i += 6) {
+        std::uint32_t rgb = 0;
+        const char* const end = digits.data() + i + 6;
+        if (std::from_chars(digits.data() + i, end, rgb, 16).ptr != end)
+            m.fail("'entries' has '" + digits.substr(i, 6) + "'; expected six digits an entry");
+        map.entries.push_back((rgb >> 16 & 255) | (rgb & 0xFF00) | (rgb & 255) << 16);
+    }
+    check_color_map(map);
+    return map;
+}
+
 /// A pass of a machine with these planes.
 ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& where) {
     Members m(json, where);
@@ -178,7 +216,10 @@ ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& wh
         if (!(planes & mask_of(plane))) continue;
         pass.report.digests[std::size_t(plane)] = digest_from(digests, name_of(plane));
     }
+    if (digests.has("shown")) pass.shown = digest_from(digests, "shown");
     digests.finish();
+    if (m.has("color_map"))
+        pass.color_map = color_map_from(m.take("color_map"), where + " color_map");
     if (m.has("queries")) pass.report.queries = queries_from(m.take("queries"), where);
     m.finish();
     pass.report.digested = planes;

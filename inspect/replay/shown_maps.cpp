@@ -30,6 +30,18 @@ const ColorMap* ShownMaps::last() const {
     return after_lists_.empty() ? nullptr : after_lists_.back();
 }
 
+void ShownDigests::add(Machine& machine) {
+    const ColorMap* const map = maps_.of_pass(all_.size());
+    std::optional<Digest>& digest = all_.emplace_back();
+    if (map == nullptr) return;
+    const Planes& planes = machine.planes();
+    Planes shown;
+    shown.width = planes.width;
+    shown.height = planes.height;
+    shown.color = shown_picture(planes.color, *map);
+    digest = gw::digest(shown, Plane::Color);
+}
+
 std::string shown_value(const Planes& planes, Plane plane, int x, int y, const ColorMap* map) {
     if (map == nullptr || (plane != Plane::Color && plane != Plane::Back))
         return value_at(planes, plane, x, y);

@@ -2,9 +2,11 @@
 // all lists.
 #pragma once
 
+#include "gw/machine.h"
 #include "gw/names.h"
 #include "inspect/recording/recording.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,21 @@ private:
     std::vector<const ColorMap*> after_lists_;
     std::vector<std::size_t> list_ends_;  ///< commands up to and with each list
     std::vector<std::size_t> pass_ends_;
+};
+
+/// The digests of a recording's shown pictures, pass by pass; none while colours are not indices.
+class ShownDigests {
+public:
+    /// Refers to the recording, which must outlive it.
+    explicit ShownDigests(const Recording& recording) : maps_(recording) {}
+
+    /// Of the machine that plays it, at the end of the next pass.
+    void add(Machine& machine);
+    const std::vector<std::optional<Digest>>& all() const { return all_; }
+
+private:
+    ShownMaps maps_;
+    std::vector<std::optional<Digest>> all_;
 };
 
 /// The plane's value at a pixel of the window, as gw::value_at; of colours with a map, "index 37

@@ -28,6 +28,11 @@ std::array<std::uint16_t, 3> ColorMap::entry(unsigned index) const {
             std::uint16_t(rgb >> 16 & 255)};
 }
 
+Rgba ColorMap::shown(unsigned index) const {
+    const auto [r, g, b] = entry(index);
+    return {r, g, b, std::uint16_t(shows_below(index) ? 0 : 255)};
+}
+
 void check_color_map(const ColorMap& map) {
     const auto check = [](const char* what, int value, int least, int most) {
         if (value < least || value > most)
@@ -42,13 +47,16 @@ void check_color_map(const ColorMap& map) {
             fmt::format("a colour map of {} entries; expected {}", map.entries.size(), expected));
 }
 
-std::vector<Rgba> through_map(const std::vector<Rgba>& colors, const ColorMap& map) {
+std::vector<Rgba> shown_picture(const std::vector<Rgba>& colors, const ColorMap& map) {
     std::vector<Rgba> shown;
     shown.reserve(colors.size());
-    for (const Rgba& color : colors) {
-        const auto [r, g, b] = map.entry(map.index_of(color));
-        shown.push_back({r, g, b, 255});
-    }
+    for (const Rgba& color : colors) shown.push_back(map.shown(map.index_of(color)));
+    return shown;
+}
+
+std::vector<Rgba> through_map(const std::vector<Rgba>& colors, const ColorMap& map) {
+    std::vector<Rgba> shown = shown_picture(colors, map);
+    for (Rgba& color : shown) color[3] = 255;
     return shown;
 }
 

@@ -28,16 +28,22 @@ struct ColorMap {
     bool shows_below(unsigned index) const { return planes != IndexPlanes::Window && index == 0; }
     /// R, G, B of the entry, 0 to 255 each; black if the index shows what is below.
     std::array<std::uint16_t, 3> entry(unsigned index) const;
+    /// The entry with the alpha 255; 0 if the index shows what is below.
+    Rgba shown(unsigned index) const;
 };
 
 /// Throws Error unless there are as many entries as indices.
 void check_color_map(const ColorMap& map);
 
-/// What a screen shows, 0 to 255 a channel. Precondition: colours are indices.
+/// The shown picture of docs/manual/indices.md. Precondition: colours are indices.
+std::vector<Rgba> shown_picture(const std::vector<Rgba>& colors, const ColorMap& map);
+/// The same on black.
 std::vector<Rgba> through_map(const std::vector<Rgba>& colors, const ColorMap& map);
 
 /// "window", "overlay", "underlay", "pop-up"
 const char* name_of(IndexPlanes planes);
+inline constexpr std::array every_index_planes{IndexPlanes::Window, IndexPlanes::Overlay,
+                                               IndexPlanes::Underlay, IndexPlanes::PopUp};
 /// "index 37", "overlay index 2"
 std::string index_text(const ColorMap& map, const Rgba& color);
 /// "index 0 > 37 through map entry 37 (200 100 50)", with one index if it stays;

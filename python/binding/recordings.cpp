@@ -36,6 +36,16 @@ py::object from_json(const std::string& text) {
     return py::module_::import("json").attr("loads")(text);
 }
 
+py::list manifest_rows(const inspect::Manifest& manifest) {
+    std::vector<PassReport> reports;
+    for (const inspect::ManifestPass& pass : manifest.passes) reports.push_back(pass.report);
+    py::list rows = pass_rows(reports);
+    for (std::size_t i = 0; i < manifest.passes.size(); ++i)
+        if (const auto& shown = manifest.passes[i].shown)
+            rows[i]["digests"]["shown"] = to_string(*shown);
+    return rows;
+}
+
 std::string machine_name(bool reference) { return reference ? "reference" : "fast"; }
 
 /// Machines that end when they are cancelled.
@@ -233,17 +243,19 @@ void add_recording(py::module_& m) {
         .def(
             "passes",
             [](const Recording& r, bool reference) {
-                return pass_rows(cancelable(
-                    [&] { return inspect::reports_of(r, maker_of(machine_name(reference))); }));
+                return manifest_rows(cancelable([&] {
+                    return inspect::replayed_manifest(r, maker_of(machine_name(reference)),
+                                                      nullptr);
+                }));
             },
             py::kw_only(), py::arg("reference") = false,
-            "A dict for each pass: its name, all counters, digests of all planes.")
+            "A dict for each pass: its name, all counters, digests of all planes; if colours are "
+            "indices, of the shown picture.")
         .def(
             "manifest",
             [](const Recording& r) {
                 return from_json(cancelable([&] {
-                    return to_json(
-                        inspect::manifest_of(r, inspect::reports_of(r, maker_of("reference"))));
+                    return to_json(inspect::replayed_manifest(r, maker_of("reference"), nullptr));
                 }));
             },
             "The expected results, as gw verify reads them.")

@@ -7,6 +7,7 @@
 #include "inspect/recording/content.h"
 #include "inspect/replay/forwarding_machine.h"
 #include "inspect/replay/player.h"
+#include "inspect/replay/shown_maps.h"
 #include "test_paths.h"
 
 #include <gtest/gtest.h>
@@ -25,9 +26,10 @@ inspect::Manifest played(const inspect::Recording& recording) {
     const auto machine = make_reference(recording.profile, recording.width, recording.height);
     inspect::DigestingMachine digesting(*machine);
     std::fesetround(FE_UPWARD);
-    inspect::play_by_pass(recording, digesting, [](std::size_t) {});
+    inspect::ShownDigests shown(recording);
+    inspect::play_by_pass(recording, digesting, [&](std::size_t) { shown.add(*machine); });
     std::fesetround(FE_TONEAREST);
-    return inspect::manifest_of(recording, machine->passes());
+    return inspect::manifest_of(recording, machine->passes(), shown.all());
 }
 
 std::string digest_of_text(const std::string& text) {

@@ -173,7 +173,7 @@ TEST_F(IrisGlColors, TheWriteMaskHoldsForShadedIndicesAndLogicalOperations) {
     writemask(0xFFF);
 }
 
-// From the top: pop-up, overlay, picture, underlay.
+// [R18.7] From the top: pop-up, overlay, picture, underlay.
 TEST_F(IrisGlColors, EachKindOfPlanesHasItsPlaceInTheStack) {
     color(0);
     clear();

@@ -90,4 +90,21 @@ TEST_F(ColorMapRecordings, ThatDifferInTheMapAloneDiffer) {
               "result: the same planes after every pass that both have\n");
 }
 
+TEST_F(ColorMapRecordings, ManifestsNameIndicesOfTheirMaps) {
+    write_recording("a.gwt", 258);
+    write_recording("b.gwt", 259);
+    write_recording("c.gwt", 258, 4);
+    for (const std::string name : {"a", "b", "c"})
+        ASSERT_EQ(gw({"verify", name + ".gwt", name + ".json", "--update"}).code, 0);
+    EXPECT_NE(said({"diff", "a.json", "b.json"})
+                  .find("1 0: index 258 through map entry 258 (1 2 3), index 259 through map entry "
+                        "259 (7 8 9)"),
+              std::string::npos);
+    const Outcome outcome = gw({"diff", "a.json", "c.json"});
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_NE(outcome.out.find("the shown picture"), std::string::npos) << outcome.out;
+    EXPECT_EQ(gw({"verify", "c.gwt", "a.json"}).code, 3);
+    EXPECT_EQ(gw({"verify", "c.gwt", "c.json"}).code, 0);
+}
+
 }  // namespace gw::apps
