@@ -21,7 +21,8 @@ def play(recording):
         recording.save(path)
         for reader in readers(path):
             machine = Machine(reader.profile, reader.width, reader.height)
-            yield from machine.execute(reader.commands())
+            for name, counters, digests, _ in machine.execute(reader.commands()):
+                yield name, counters, digests
 
 
 def main(groups):

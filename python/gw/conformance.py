@@ -78,6 +78,8 @@ def _difference(actual: Pass, expected: Mapping[str, object]) -> str:
     for plane, digest in planes.items():
         if digests.get(plane) != digest:
             return f"plane {plane}: digest {digests.get(plane)}, expected {digest}"
+    if "shown" in digests and "shown" not in planes:
+        return "plane shown: colours are not indices"
     for counter, count in expected.items():
         if counter not in ("pass", "digests") and counters.get(counter, 0) != count:
             return f"counter {counter}: {counters.get(counter, 0)}, expected {count}"

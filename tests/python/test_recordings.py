@@ -95,3 +95,18 @@ def test_the_reference_machine_conforms_and_a_wrong_one_does_not():
                    if result.passes)
     with pytest.raises(gw.Error, match="expected one of"):
         list(gw.conformance.run(play, ["no such group"]))
+
+
+def test_what_a_screen_shows_is_part_of_the_suite():
+    def play(recording, change):
+        for row in recording.passes():
+            yield row["pass"], row, change(row["digests"])
+
+    def agree(group, change):
+        results = list(gw.conformance.run(lambda r: play(r, change), [group]))
+        return [result.agrees for result in results if result.passes]
+
+    assert all(agree("indices", lambda digests: digests))
+    assert not any(agree("indices", lambda digests: {**digests, "shown": "0" * 32}))
+    assert not all(agree("indices", lambda digests: {**digests, "shown": None}))
+    assert not any(agree("raster", lambda digests: {**digests, "shown": "0" * 32}))
