@@ -97,33 +97,32 @@ void orient(Face& face) {
     if (sum == 0) face.corners.clear();
 }
 
-/// Points on the lines between rows, where faces of two rows meet.
-void insert_row_points(std::vector<Face>& faces) {
-    const auto is_on_row = [](const Point& p) { return p.p.y == std::floor(p.p.y); };
-    std::map<double, std::vector<Point>> rows;
+/// Points on the lines along one axis through the middles of texels, where sides of faces meet others'.
+void insert_line_points(std::vector<Face>& faces, int axis) {
+    const int across = 1 - axis;
+    const auto along = [&](const Point& p) { return p.p[axis]; };
+    const auto is_on_line = [&](const Point& p) { return p.p[across] == std::floor(p.p[across]); };
+    std::map<double, std::vector<Point>> lines;
     for (const Face& face : faces)
         for (const Point& point : face.corners)
-            if (is_on_row(point)) rows[point.p.y].push_back(point);
-    for (auto& [y, points] : rows)
-        std::ranges::sort(points, {}, [](const Point& p) { return p.p.x; });
+            if (is_on_line(point)) lines[point.p[across]].push_back(point);
+    for (auto& [at, points] : lines) std::ranges::sort(points, {}, along);
     for (Face& face : faces) {
         std::vector<Point> corners;
         for (std::size_t i = 0; i < face.corners.size(); ++i) {
             const Point &a = face.corners[i], &b = face.corners[(i + 1) % face.corners.size()];
             corners.push_back(a);
-            if (!is_on_row(a) || a.p.y != b.p.y) continue;
-            const auto& points = rows.at(a.p.y);
+            if (!is_on_line(a) || a.p[across] != b.p[across]) continue;
+            const auto& points = lines.at(a.p[across]);
             const auto add = [&](const Point& point) {
-                const double low = std::min(a.p.x, b.p.x), high = std::max(a.p.x, b.p.x);
-                if (point.p.x > low && point.p.x < high && point.w != corners.back().w &&
-                    point.w != b.w)
+                if (point.w != corners.back().w && point.w != a.w && point.w != b.w)
                     corners.push_back(point);
             };
-            const auto begin = std::ranges::lower_bound(points, std::min(a.p.x, b.p.x), {},
-                                                        [](const Point& p) { return p.p.x; });
-            const auto end = std::ranges::upper_bound(points, std::max(a.p.x, b.p.x), {},
-                                                      [](const Point& p) { return p.p.x; });
-            if (a.p.x < b.p.x)
+            const double low = std::min(along(a), along(b)), high = std::max(along(a), along(b));
+            const auto begin = std::ranges::upper_bound(points, low, {}, along),
+                       end = std::ranges::lower_bound(points, high, {}, along);
+            if (begin >= end) continue;
+            if (along(a) < along(b))
                 std::for_each(begin, end, add);
             else
                 std::for_each(std::reverse_iterator(end), std::reverse_iterator(begin), add);
@@ -247,7 +246,8 @@ private:
             faces.clear();
             add_whole(level, faces);
         } else if (plane_) {
-            insert_row_points(faces);
+            insert_line_points(faces, 0);
+            insert_line_points(faces, 1);
         }
         return true;
     }

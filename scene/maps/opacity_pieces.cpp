@@ -27,6 +27,109 @@ OpacityCorner between_corners(const OpacityCorner& p, const OpacityCorner& q, do
     return {between(p.p, q.p, t), p.opacity + t * (q.opacity - p.opacity)};
 }
 
+/// Divides the rectangle of cells around a triangle into squares, until they have one level or are one
+/// cell.
+class BlockDivider {
+public:
+    BlockDivider(const OpacityPlane& plane, const std::array<dvec2, 3>& triangle,
+                 const Slope& factor, const OpacityLevels& levels, std::size_t most,
+                 std::vector<OpacityPiece>& pieces)
+        : plane_(plane),
+          triangle_(triangle),
+          factor_(factor),
+          levels_(levels),
+          most_(most),
+          pieces_(pieces) {
+        for (int k = 0; k < 2; ++k) {
+            const auto [least, largest] =
+                std::minmax({triangle[0][k], triangle[1][k], triangle[2][k]});
+            low_[k] = std::int64_t(std::floor(least));
+            high_[k] = std::max(std::int64_t(std::ceil(largest)), low_[k] + 1);
+        }
+        for (std::int64_t y = low_.y; y <= high_.y; ++y)
+            for (std::int64_t x = low_.x; x <= high_.x; ++x)
+                at_.push_back(std::uint8_t(levels.of(corner(x, y).opacity)));
+    }
+
+    bool divide() {
+        const auto begin = [](std::int64_t v) { return v - (v % largest + largest) % largest; };
+        for (std::int64_t y = begin(low_.y); y < high_.y; y += largest)
+            for (std::int64_t x = begin(low_.x); x < high_.x; x += largest)
+                if (!add_block(x, y, largest)) return false;
+        return true;
+    }
+
+private:
+    using Cell = glm::vec<2, std::int64_t>;
+    static constexpr std::int64_t largest = 64;
+
+    OpacityCorner corner(std::int64_t x, std::int64_t y) const {
+        const dvec2 p{double(x), double(y)};
+        return {p, plane_.texel(x, y) * std::clamp(factor_.at(p), 0.0, 1.0)};
+    }
+    std::uint8_t level_at(std::int64_t x, std::int64_t y) const {
+        return at_[std::size_t((y - low_.y) * (high_.x - low_.x + 1) + x - low_.x)];
+    }
+
+    bool add_block(std::int64_t x, std::int64_t y, std::int64_t size) {
+        const Cell low{std::max(x, low_.x), std::max(y, low_.y)},
+            high{std::min(x + size, high_.x), std::min(y + size, high_.y)};
+        if (low.x >= high.x || low.y >= high.y || is_outside(low, high)) return true;
+        if (is_even(low, high)) {
+            const double a = double(low.x), b = double(low.y), c = double(high.x),
+                         d = double(high.y);
+            pieces_.push_back({{{a, b}, {c, b}, {c, d}, {a, d}}, level_at(low.x, low.y)});
+        } else if (size == 1) {
+            add_cell(x, y);
+        } else {
+            const std::int64_t half = size / 2;
+            for (const std::int64_t v : {y, y + half})
+                for (const std::int64_t u : {x, x + half})
+                    if (!add_block(u, v, half)) return false;
+        }
+        return pieces_.size() <= most_;
+    }
+
+    bool is_even(const Cell& low, const Cell& high) const {
+        const std::uint8_t level = level_at(low.x, low.y);
+        for (std::int64_t y = low.y; y <= high.y; ++y)
+            for (std::int64_t x = low.x; x <= high.x; ++x)
+                if (level_at(x, y) != level) return false;
+        return true;
+    }
+
+    /// Whether a side of the triangle has all of it on its other side.
+    bool is_outside(const Cell& low, const Cell& high) const {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const dvec2 &a = triangle_[k], &b = triangle_[(k + 1) % 3], &c = triangle_[(k + 2) % 3];
+            const dvec2 n{a.y - b.y, b.x - a.x};
+            const double inner = n.x * (c.x - a.x) + n.y * (c.y - a.y), sign = inner > 0 ? 1 : -1;
+            const double x = double(sign * n.x > 0 ? high.x : low.x),
+                         y = double(sign * n.y > 0 ? high.y : low.y);
+            if (sign * (n.x * (x - a.x) + n.y * (y - a.y)) < -1e-9 * std::abs(inner)) return true;
+        }
+        return false;
+    }
+
+    void add_cell(std::int64_t x, std::int64_t y) {
+        const std::array<OpacityCorner, 4> round{corner(x, y), corner(x + 1, y),
+                                                 corner(x + 1, y + 1), corner(x, y + 1)};
+        OpacityCorner middle{{double(x) + 0.5, double(y) + 0.5}, 0};
+        for (const OpacityCorner& c : round) middle.opacity += c.opacity / 4;
+        for (std::size_t k = 0; k < 4; ++k)
+            add_pieces({round[k], round[(k + 1) % 4], middle}, levels_, pieces_);
+    }
+
+    const OpacityPlane& plane_;
+    const std::array<dvec2, 3>& triangle_;
+    const Slope& factor_;
+    const OpacityLevels& levels_;
+    std::size_t most_;
+    std::vector<OpacityPiece>& pieces_;
+    Cell low_{0}, high_{0};         ///< of the rectangle, in cells
+    std::vector<std::uint8_t> at_;  ///< levels at the corners of its cells, row by row
+};
+
 }  // namespace
 
 std::size_t OpacityLevels::of(double opacity) const {
@@ -80,56 +183,7 @@ double OpacityPlane::texel(std::int64_t i, std::int64_t j) const {
 bool OpacityPlane::add_pieces(const std::array<dvec2, 3>& triangle, const Slope& factor,
                               const OpacityLevels& levels, std::size_t most,
                               std::vector<OpacityPiece>& pieces) const {
-    const auto [low, high] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
-    const std::vector<dvec2> whole(triangle.begin(), triangle.end());
-    const auto first = std::int64_t(std::floor(low)), last = std::int64_t(std::ceil(high));
-    for (std::int64_t j = first; j < std::max(last, first + 1); ++j) {
-        auto row = clipped(
-            whole, [&](const dvec2& p) { return p.y - double(j); }, between);
-        row = clipped(
-            row, [&](const dvec2& p) { return double(j + 1) - p.y; }, between);
-        if (row.empty()) continue;
-        const auto [left, right] = std::ranges::minmax(row, {}, &dvec2::x);
-        const auto begin = std::int64_t(std::floor(left.x)), end = std::int64_t(std::ceil(right.x));
-        add_row(j, begin, std::max(end, begin + 1), factor, levels, pieces);
-        if (pieces.size() > most) return false;
-    }
-    return true;
-}
-
-void OpacityPlane::add_row(std::int64_t j, std::int64_t first, std::int64_t last,
-                           const Slope& factor, const OpacityLevels& levels,
-                           std::vector<OpacityPiece>& pieces) const {
-    const auto at = [&](std::int64_t x, std::int64_t y) {
-        const dvec2 p{double(x), double(y)};
-        return OpacityCorner{p, texel(x, y) * std::clamp(factor.at(p), 0.0, 1.0)};
-    };
-    const double bottom = double(j), top = double(j + 1);
-    bool is_open = false;
-    OpacityCorner left[2] = {at(first, j), at(first, j + 1)};
-    for (std::int64_t i = first; i < last; ++i) {
-        const OpacityCorner right[2] = {at(i + 1, j), at(i + 1, j + 1)};
-        const std::size_t level = levels.of(left[0].opacity);
-        const bool is_even = level == levels.of(left[1].opacity) &&
-                             level == levels.of(right[0].opacity) &&
-                             level == levels.of(right[1].opacity);
-        const double x = double(i), next = double(i + 1);
-        if (is_even && is_open && pieces.back().level == level) {
-            pieces.back().corners[1].x = pieces.back().corners[2].x = next;
-        } else if (is_even) {
-            pieces.push_back({{{x, bottom}, {next, bottom}, {next, top}, {x, top}}, level});
-        } else {
-            const OpacityCorner middle{
-                {x + 0.5, bottom + 0.5},
-                (left[0].opacity + left[1].opacity + right[0].opacity + right[1].opacity) / 4};
-            const OpacityCorner* const round[] = {&left[0], &right[0], &right[1], &left[1]};
-            for (std::size_t k = 0; k < 4; ++k)
-                scene::add_pieces({*round[k], *round[(k + 1) % 4], middle}, levels, pieces);
-        }
-        is_open = is_even;
-        left[0] = right[0];
-        left[1] = right[1];
-    }
+    return BlockDivider(*this, triangle, factor, levels, most, pieces).divide();
 }
 
 }  // namespace gw::scene

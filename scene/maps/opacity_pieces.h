@@ -56,16 +56,14 @@ public:
     dvec2 at_texcoord(const vec2& st) const;
     double texel(std::int64_t i, std::int64_t j) const;
 
-    /// Adds the pieces that cover a triangle, and more around it, row by row: on the lines between rows
-    /// pieces meet others' sides. `factor` multiplies the alpha. False if they are more than `most`.
+    /// Adds the pieces that cover a triangle, and more around it: squares of one level and parts of
+    /// cells between texels. On lines through the middles of texels, pieces meet others' sides.
+    /// `factor` multiplies the alpha. False if they are more than `most`.
     bool add_pieces(const std::array<dvec2, 3>& triangle, const Slope& factor,
                     const OpacityLevels& levels, std::size_t most,
                     std::vector<OpacityPiece>& pieces) const;
 
 private:
-    void add_row(std::int64_t j, std::int64_t first, std::int64_t last, const Slope& factor,
-                 const OpacityLevels& levels, std::vector<OpacityPiece>& pieces) const;
-
     const Map& map_;
     const TextureLevel& level_;
 };

@@ -179,6 +179,13 @@ TEST(CutMesh, PiecesFitWholeTrianglesBesideThem) {
     for (const Edge& edge : border(meshes)) EXPECT_TRUE(is_on_unit_square(edge));
 }
 
+TEST(CutMesh, PartsOfOneLevelAreLarge) {
+    std::vector<double> alpha(512 * 512, 1);
+    alpha[512 * 100 + 100] = 0;  // a hole of one texel
+    const Map map = map_of(512, 512, alpha);
+    EXPECT_LT(cut(square(1), &map, mask_levels(0.5))[1].positions.size() / 3, 1000u);
+}
+
 TEST(CutMesh, PiecesAreTurnedAsTheirTriangle) {
     const Map map = map_of(16, 8, noise(128, 5, 0));
     for (const float sign : {1.0f, -1.0f})
