@@ -76,6 +76,8 @@ void buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeipt
                      const GLvoid* data);
 void get_buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsizeiptr size,
                          GLvoid* data);
+void copy_buffer_sub_data(Context& context, GLenum read_target, GLenum write_target,
+                          GLintptr read_offset, GLintptr write_offset, GLsizeiptr size);
 GLvoid* map_buffer(Context& context, GLenum target, GLenum access);
 GLvoid* map_buffer_range(Context& context, GLenum target, GLintptr offset, GLsizeiptr length,
                          GLbitfield access);

@@ -77,6 +77,7 @@ struct Context {
     Framebuffers framebuffers;
     Selection selection;
     QueryObjects queries;
+    BufferRef copy_read_buffer, copy_write_buffer;  ///< GL_ARB_copy_buffer
     Assembler assembler;
     MeshCache meshes;
     TranslatedState translated;

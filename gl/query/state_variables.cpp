@@ -244,6 +244,12 @@ void add_pixels(Table& t) {
     t[GL_PIXEL_UNPACK_BUFFER_BINDING] = [](Context& context) {
         return whole(name_of(context.client.unpack.buffer));
     };
+    t[GL_COPY_READ_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.copy_read_buffer));
+    };
+    t[GL_COPY_WRITE_BUFFER_BINDING] = [](Context& context) {
+        return whole(name_of(context.copy_write_buffer));
+    };
     t[GL_MAP_COLOR] = [](Context& context) { return whole(context.state.pixel.map_color); };
     t[GL_MAP_STENCIL] = [](Context& context) { return whole(context.state.pixel.map_stencil); };
     t[GL_INDEX_SHIFT] = [](Context& context) { return whole(context.state.pixel.index_shift); };

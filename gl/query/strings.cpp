@@ -72,6 +72,7 @@ constexpr NamedExtension named_extensions[] = {
     {"GL_ARB_vertex_buffer_object", {15, nullptr}},
     {"GL_ARB_pixel_buffer_object", {15, nullptr}},
     {"GL_ARB_map_buffer_range", {15, nullptr}},
+    {"GL_ARB_copy_buffer", {15, nullptr}},
     {"GL_ARB_texture_non_power_of_two", {15, &Extensions::texture_sizes}},
     {"GL_ARB_framebuffer_object", {15, &Extensions::surfaces}},
     {"GL_EXT_framebuffer_blit", {15, &Extensions::surfaces}},

@@ -1,5 +1,5 @@
-// GenBuffers .. GetBufferPointerv. [GL15] 2.9, GL_ARB_map_buffer_range. Usage is a hint; it changes
-// nothing. A map is the buffer's own memory, so nothing waits and nothing is flushed.
+// GenBuffers .. GetBufferPointerv. [GL15] 2.9, GL_ARB_map_buffer_range, GL_ARB_copy_buffer. Usage is
+// a hint; it changes nothing. A map is the buffer's own memory, so nothing waits or is flushed.
 #include "gl/api/calls.h"
 #include "gl/context/context.h"
 
@@ -17,6 +17,8 @@ BufferRef* binding_of(Context& context, GLenum target) {
         case GL_ELEMENT_ARRAY_BUFFER: return &context.client.element_buffer;
         case GL_PIXEL_PACK_BUFFER: return &context.client.pack.buffer;
         case GL_PIXEL_UNPACK_BUFFER: return &context.client.unpack.buffer;
+        case GL_COPY_READ_BUFFER: return &context.copy_read_buffer;
+        case GL_COPY_WRITE_BUFFER: return &context.copy_write_buffer;
     }
     return nullptr;
 }
@@ -84,6 +86,8 @@ void unbind(Context& context, const BufferRef& buffer) {
     leave(context.client.element_buffer);
     leave(context.client.pack.buffer);
     leave(context.client.unpack.buffer);
+    leave(context.copy_read_buffer);
+    leave(context.copy_write_buffer);
     for (ClientArray& array : context.client.arrays) {
         if (array.buffer != buffer) continue;
         array.buffer = nullptr;
@@ -180,6 +184,21 @@ void get_buffer_sub_data(Context& context, GLenum target, GLintptr offset, GLsiz
     const BufferObject* const buffer = buffer_with_part(context, target, offset, size);
     if (buffer == nullptr || data == nullptr || size == 0) return;
     std::memcpy(data, buffer->bytes.get() + offset, std::size_t(size));
+}
+
+/// Parts of one buffer may not overlap.
+void copy_buffer_sub_data(Context& context, GLenum read_target, GLenum write_target,
+                          GLintptr read_offset, GLintptr write_offset, GLsizeiptr size) {
+    const auto lock = context.shared->exclusive();
+    const BufferObject* const from = buffer_with_part(context, read_target, read_offset, size);
+    if (from == nullptr) return;
+    BufferObject* const to = buffer_with_part(context, write_target, write_offset, size);
+    if (to == nullptr) return;
+    const bool overlap = read_offset < write_offset + size && write_offset < read_offset + size;
+    if (from == to && overlap) return set_error(context, GL_INVALID_VALUE);
+    if (size != 0)
+        std::memcpy(to->bytes.get() + write_offset, from->bytes.get() + read_offset,
+                    std::size_t(size));
 }
 
 GLvoid* map_buffer(Context& context, GLenum target, GLenum access) {

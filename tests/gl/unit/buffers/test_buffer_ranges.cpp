@@ -1,4 +1,4 @@
-// Ranges of buffers that are mapped. GL_ARB_map_buffer_range
+// Ranges of buffers that are mapped or copied. GL_ARB_map_buffer_range, GL_ARB_copy_buffer
 #include "tests/gl/unit/support/window.h"
 
 #include <GL/glext.h>
@@ -62,6 +62,46 @@ TEST(GlBuffers, WrongRangesAreNotMapped) {
               GLenum(GL_INVALID_OPERATION));
     glMapBuffer(GL_ARRAY_BUFFER, GL_READ_ONLY);
     EXPECT_EQ(error_of(0, 4, GL_MAP_READ_BIT), GLenum(GL_INVALID_OPERATION));
+}
+
+TEST(GlBuffers, RangesAreCopied) {
+    const Window window;
+    bind_buffer({1, 2, 3, 4, 5, 6, 7, 8});
+    glBindBuffer(GL_COPY_READ_BUFFER, 1);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, 2);
+    glBufferData(GL_COPY_WRITE_BUFFER, 4, nullptr, GL_STATIC_DRAW);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 5, 1, 3);
+    std::array<GLubyte, 4> copied{};
+    glGetBufferSubData(GL_COPY_WRITE_BUFFER, 0, 4, copied.data());
+    EXPECT_EQ(copied, (std::array<GLubyte, 4>{0, 6, 7, 8}));
+    glCopyBufferSubData(GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, 0, 4, 4);  // within one buffer
+    std::array<GLubyte, 8> now{};
+    glGetBufferSubData(GL_ARRAY_BUFFER, 0, 8, now.data());
+    EXPECT_EQ(now, (std::array<GLubyte, 8>{1, 2, 3, 4, 1, 2, 3, 4}));
+    expect_error(GL_NO_ERROR, "copies");
+    glCopyBufferSubData(GL_ARRAY_BUFFER, GL_COPY_READ_BUFFER, 0, 3, 4);
+    expect_error(GL_INVALID_VALUE, "parts that overlap");
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 2, 3);
+    expect_error(GL_INVALID_VALUE, "beyond the buffer");
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, -1, 0, 1);
+    expect_error(GL_INVALID_VALUE, "a negative offset");
+    glMapBuffer(GL_COPY_WRITE_BUFFER, GL_READ_ONLY);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, 1);
+    expect_error(GL_INVALID_OPERATION, "mapped");
+    GLint bound[2] = {};
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);  // they are not the client's
+    glBindBuffer(GL_COPY_READ_BUFFER, 2);
+    glPopClientAttrib();
+    glGetIntegerv(GL_COPY_READ_BUFFER_BINDING, &bound[0]);
+    const GLuint name = 2;
+    glDeleteBuffers(1, &name);
+    glGetIntegerv(GL_COPY_WRITE_BUFFER_BINDING, &bound[1]);
+    EXPECT_EQ(bound[0], 2);
+    EXPECT_EQ(bound[1], 0);
+    glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, 1);
+    expect_error(GL_INVALID_OPERATION, "no buffer");
+    glCopyBufferSubData(GL_RED, GL_COPY_WRITE_BUFFER, 0, 0, 1);
+    expect_error(GL_INVALID_ENUM, "target");
 }
 
 }  // namespace gw::gl
