@@ -342,8 +342,10 @@ int compute(RadiosityOptions options, Session session) {
         at -= input.origin;
     }
     const scene::Scene scene = ready_scene(options.picture, std::move(input));
-    if (!options.picture.quiet)
+    if (!options.picture.quiet) {
         print_warnings_of(scene, options.picture.size, scene::DrawnBy::Depth);
+        print_warnings(scene::left_out_by_radiosity(scene));
+    }
     // One thread draws the hemicubes of a recording, so that their order is fixed.
     options.solver.form_factors.threads = options.record ? 1 : options.picture.threads;
     CommandRecorder recorder;

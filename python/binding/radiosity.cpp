@@ -42,6 +42,7 @@ public:
         });
         watch();
         warn(without_lock([&] { return scene::warnings_of(scene_, {}, scene::DrawnBy::Rays); }));
+        warn(scene::left_out_by_radiosity(scene_));
     }
 
     py::object shoot() {

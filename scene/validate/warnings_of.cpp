@@ -2,6 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "scene/draw/nearest.h"
+#include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/validate/coincident.h"
 #include "scene/validate/shadow_maps.h"
@@ -32,6 +33,25 @@ std::string coincident(const Scene& scene) {
            "them a little apart";
 }
 
+std::string opaque_in_radiosity(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (const float d = scene.materials[scene.objects[i].material].d; d < 1)
+            return "object " + name_in_quotes(scene, i) + " has opacity " + number_text(double(d)) +
+                   "; radiosity takes it as opaque: expected d 1";
+    return {};
+}
+
+std::string without_maps(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Material& m = scene.materials[scene.objects[i].material];
+        if (!m.map_Kd.empty())
+            return "object " + name_in_quotes(scene, i) + " has a map of Kd, " +
+                   printable(m.map_Kd[0].file.filename().string()) +
+                   "; radiosity reflects its Kd alone: expected no map";
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by) {
@@ -43,6 +63,12 @@ std::vector<std::string> warnings_of(const Scene& scene, const View& view, Drawn
     if (by != DrawnBy::Passes) add(lines_and_points(scene));
     if (by == DrawnBy::Passes) add(cut_by_shadow_map(scene));
     add(coincident(scene));
+    return lines;
+}
+
+std::vector<std::string> left_out_by_radiosity(const Scene& scene) {
+    std::vector<std::string> lines{opaque_in_radiosity(scene), without_maps(scene)};
+    std::erase(lines, "");
     return lines;
 }
 

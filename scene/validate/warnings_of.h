@@ -23,6 +23,9 @@ enum class DrawnBy {
 /// coincident objects, lines and points that are left out. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
+/// What radiosity leaves out of a scene besides: a line for opacity, one for maps of Kd.
+std::vector<std::string> left_out_by_radiosity(const Scene& scene);
+
 /// A line if no pixel differs from the background though the scene has objects; empty: some do.
 std::string empty_picture(const Scene& scene, std::span<const Rgba> picture, int color_bits);
 

@@ -113,6 +113,18 @@ TEST(WarningsOf, NameWhatIsNotShown) {
     EXPECT_EQ(warnings_of(room(548.7f, true), view, DrawnBy::Depth), Strings());
 }
 
+TEST(WarningsOf, NameWhatRadiosityLeavesOut) {
+    Scene scene = room(548.7f, true);
+    EXPECT_EQ(left_out_by_radiosity(scene), std::vector<std::string>());
+    scene.materials[1].d = 0.5f;
+    scene.materials[1].map_Kd = {Map{.file = "maps/wood.png"}};
+    EXPECT_EQ(left_out_by_radiosity(scene),
+              (std::vector<std::string>{
+                  "object 'ceiling' has opacity 0.5; radiosity takes it as opaque: expected d 1",
+                  "object 'ceiling' has a map of Kd, wood.png; radiosity reflects its Kd alone: "
+                  "expected no map"}));
+}
+
 TEST(EmptyPicture, IsOneOfTheBackgroundAlone) {
     Scene scene = room(548.7f, true);
     std::vector<Rgba> picture(12, Rgba{0, 0, 0, 255});
