@@ -19,9 +19,9 @@ std::string text_of(Number value) {
 }
 
 /// A part of a scene, as messages begin: "light 'sun'".
-class Part {
+class CheckedPart {
 public:
-    explicit Part(std::string name, std::string inner = "")
+    explicit CheckedPart(std::string name, std::string inner = "")
         : name_(std::move(name)), inner_(std::move(inner)) {}
 
     [[noreturn]] void fail(const std::string& key, const std::string& is,
@@ -55,7 +55,7 @@ std::string named(const char* kind, const std::string& name) {
 
 void check(const Light& light) {
     const std::string name = named("light", light.name);
-    const Part part(name), area(name, "area.");
+    const CheckedPart part(name), area(name, "area.");
     visit_light(light, part);
     if (light.Is) part.color("Is", *light.Is);
     part.number("constant_attenuation", light.constant_attenuation, not_negative);
@@ -67,7 +67,7 @@ void check(const Light& light) {
 }
 
 void check(const Material& material) {
-    const Part part(named("material", material.name));
+    const CheckedPart part(named("material", material.name));
     visit_material(material, part);
     for (const auto* maps : {&material.map_Ka, &material.map_Kd, &material.map_Ks, &material.map_Ke,
                              &material.refl, &material.refraction})
@@ -75,7 +75,7 @@ void check(const Material& material) {
             if (!map.texture && map.from_scene == 0) part.fail("map", "None", "a texture");
 }
 
-void check(const PixmapChoice& pixmap, const Part& part) {
+void check(const PixmapChoice& pixmap, const CheckedPart& part) {
     if (pixmap.width != 0) part.number("width", pixmap.width, pixmap_sides);
     if (pixmap.height != 0) part.number("height", pixmap.height, pixmap_sides);
     if (pixmap.texels_per_unit != 0)
@@ -86,7 +86,7 @@ void check(const PixmapChoice& pixmap, const Part& part) {
 
 void check(const Object& object, std::size_t materials) {
     const std::string name = named("object", object.name);
-    const Part part(name);
+    const CheckedPart part(name);
     if (!object.mesh) part.fail("mesh", "None", "one");
     if (object.material >= materials)
         part.fail("material", std::to_string(object.material),
@@ -97,8 +97,8 @@ void check(const Object& object, std::size_t materials) {
         part.place("world_from_object", object.world_from_object[column]);
     part.obey(fault_of(object.world_from_object));
     part.place("move", object.move);
-    check(object.pixmap, Part(name, "pixmap."));
-    if (object.glare) visit_glare(*object.glare, Part(name, "glare."));
+    check(object.pixmap, CheckedPart(name, "pixmap."));
+    if (object.glare) visit_glare(*object.glare, CheckedPart(name, "glare."));
 }
 
 }  // namespace
@@ -107,11 +107,11 @@ void check_scene(const Scene& scene) {
     for (const Material& material : scene.materials) check(material);
     for (const Object& object : scene.objects) check(object, scene.materials.size());
     for (const Light& light : scene.lights) check(light);
-    if (scene.camera) visit_camera(*scene.camera, Part("camera"));
-    if (scene.camera) Part("camera").obey(fault_of(*scene.camera));
-    if (scene.fog) visit_fog(*scene.fog, Part("fog"));
-    if (scene.fog) Part("fog").obey(fault_of(*scene.fog));
-    const Part part(named("scene", scene.name));
+    if (scene.camera) visit_camera(*scene.camera, CheckedPart("camera"));
+    if (scene.camera) CheckedPart("camera").obey(fault_of(*scene.camera));
+    if (scene.fog) visit_fog(*scene.fog, CheckedPart("fog"));
+    if (scene.fog) CheckedPart("fog").obey(fault_of(*scene.fog));
+    const CheckedPart part(named("scene", scene.name));
     part.color("background", scene.background);
     if (scene.texels_per_unit != 0)
         part.number("texels_per_unit", scene.texels_per_unit, texels_per_unit);
