@@ -69,30 +69,39 @@ template <class Range>
 void reverse(Range& range) {
     std::reverse(std::begin(range), std::end(range));
 }
-template <class Range, class Compare = std::ranges::less, class Projection>
-auto min_element(Range&& range, Compare, Projection projection) {
+template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
+auto min_element(Range&& range, Compare = {}, Projection projection = {}) {
     return std::min_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
 }
-template <class Range, class Compare = std::ranges::less, class Projection>
-auto max_element(Range&& range, Compare, Projection projection) {
+template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
+auto max_element(Range&& range, Compare = {}, Projection projection = {}) {
     return std::max_element(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
+}
+template <class Value>
+struct MinMax {
+    Value min, max;
+};
+template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
+auto minmax(const Range& range, Compare = {}, Projection projection = {}) {
+    return MinMax{*std::ranges::min_element(range, Compare{}, projection),
+                  *std::ranges::max_element(range, Compare{}, projection)};
 }
 template <class Range, class Compare>
 bool is_sorted(const Range& range, Compare before) {
     return std::is_sorted(std::begin(range), std::end(range), before);
 }
-template <class Range, class Compare = std::ranges::less, class Projection>
-void stable_sort(Range& range, Compare, Projection projection) {
+template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
+void stable_sort(Range& range, Compare = {}, Projection projection = {}) {
     std::stable_sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
 }
-template <class Range, class Compare = std::ranges::less, class Projection>
-void sort(Range& range, Compare, Projection projection) {
+template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
+void sort(Range& range, Compare = {}, Projection projection = {}) {
     std::sort(std::begin(range), std::end(range), [&](const auto& a, const auto& b) {
         return std::invoke(projection, a) < std::invoke(projection, b);
     });
