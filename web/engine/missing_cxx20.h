@@ -87,8 +87,9 @@ struct MinMax {
 };
 template <class Range, class Compare = std::ranges::less, class Projection = std::identity>
 auto minmax(const Range& range, Compare = {}, Projection projection = {}) {
-    return MinMax{*std::ranges::min_element(range, Compare{}, projection),
-                  *std::ranges::max_element(range, Compare{}, projection)};
+    using Value = std::decay_t<decltype(*std::begin(range))>;
+    return MinMax<Value>{*std::ranges::min_element(range, Compare{}, projection),
+                         *std::ranges::max_element(range, Compare{}, projection)};
 }
 template <class Range, class Compare>
 bool is_sorted(const Range& range, Compare before) {
