@@ -273,7 +273,7 @@ export const en = {
   lab_reason_lighting: 'light at vertices',
   lab_sweep: 'Passes against rays, as the scene grows',
   lab_sweep_look:
-    'Each row draws this view in four ways and counts their work [K4f]. When does the item buffer gain most over ordinary ray tracing, and why never more than 1 + 1/g?',
+    'Each row draws this view in four ways and counts their work [K4f]. When does the item buffer gain most over ordinary ray tracing? If passes took no time, it would be 1 + 1/g times as fast with two rays in a path: why?',
   lab_sweep_of: 'Vary',
   lab_sweep_lights: 'lights',
   lab_sweep_samples: 'samples of a pixel',

@@ -18,8 +18,7 @@ const cells = () =>
   thePage().$$eval('details.sweep tbody tr', (rows) =>
     rows.map((row) => Array.from(row.querySelectorAll('th, td'), (e) => e.textContent!.trim())),
   );
-const short = (value: string) =>
-  Number(value).toLocaleString('en', { maximumSignificantDigits: 3 });
+const short = (value: number) => value.toLocaleString('en', { maximumSignificantDigits: 3 });
 
 it('has the estimates of gw study passes', async () => {
   const values = [1, 2, 3, 4, 6, 8];
@@ -27,16 +26,23 @@ it('has the estimates of gw study passes', async () => {
     ...['study', 'passes', `${scenes}/fig9.toml`, '--sweep', `depth=${values.join(',')}`],
     ...['--size', '64x48', '--runs', '0', '-o', folder, '--quiet'],
   ]);
-  const all = readFileSync(join(folder, 'estimates.csv'), 'utf8').trim().split('\n');
-  const lines = all.map((line) => line.split(',')).filter(([, sweep]) => sweep === 'depth');
+  const { rows } = JSON.parse(readFileSync(join(folder, 'results.json'), 'utf8')) as {
+    rows: {
+      sweep: string;
+      value: number;
+      estimated: Record<string, Record<'seconds' | 'gain', [number, number, number]>>;
+    }[];
+  };
   const expected = (list: string) =>
     values.map((value) => {
-      const of = lines.filter((line) => line[0] === list && Number(line[2]) === value);
-      const [, , , , , , , , gain, low, high] = of[0]!;
+      const of = rows
+        .filter((row) => row.sweep === 'depth' && row.value === value)
+        .map((row) => row.estimated[list]!);
+      const [low, gain, high] = of[0]!.gain;
       return [
         String(value),
-        ...of.map((line) => `${short(line[5]!)} s`),
-        `${short(gain!)} (${short(low!)} – ${short(high!)})`,
+        ...of.map(({ seconds }) => `${short(seconds[1])} s`),
+        `${short(gain)} (${short(low)} – ${short(high)})`,
       ];
     });
   await begin('scene=fig9.toml&sweep=depth');
