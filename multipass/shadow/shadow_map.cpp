@@ -150,12 +150,12 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Sce
                                      int size) {
     std::vector<scene::View> views = light_views(light, scene::bounds(scene), size);
     if (light.kind == scene::LightKind::Directional) return views;
-    scene::Scene casting;
+    scene::Scene casters;
     for (const scene::Object& object : scene.objects)
         if (object.casts_shadow && scene.materials[object.material].d >= 1)
-            casting.objects.push_back(object);
+            casters.objects.push_back(object);
     for (scene::View& view : views)
-        view = scene::sparing_near(view, casting, scene::edge_on_in_map(view));
+        view = scene::sparing_near(view, casters, scene::edge_on_in_map(view));
     return views;
 }
 

@@ -41,10 +41,9 @@ public:
           most_(most),
           pieces_(pieces) {
         for (int k = 0; k < 2; ++k) {
-            const auto [least, largest] =
-                std::minmax({triangle[0][k], triangle[1][k], triangle[2][k]});
-            low_[k] = std::int64_t(std::floor(least));
-            high_[k] = std::max(std::int64_t(std::ceil(largest)), low_[k] + 1);
+            const auto [low, high] = std::minmax({triangle[0][k], triangle[1][k], triangle[2][k]});
+            low_[k] = std::int64_t(std::floor(low));
+            high_[k] = std::max(std::int64_t(std::ceil(high)), low_[k] + 1);
         }
         for (std::int64_t y = low_.y; y <= high_.y; ++y)
             for (std::int64_t x = low_.x; x <= high_.x; ++x)
