@@ -291,8 +291,8 @@ export const en = {
   lab_sweep_item_maps: 'item buffer, shadow maps',
   lab_sweep_ordinary: 'ordinary ray tracing',
   lab_sweep_gain: 'gain',
-  lab_sweep_note:
-    'Gain: ordinary ray tracing over item buffer with shadow rays. Estimated; in brackets what the limits of the prices allow.',
+  lab_sweep_note: 'Gain: ordinary ray tracing over item buffer with shadow rays.',
+  lab_sweep_estimated: 'Estimated; in brackets what the limits of the prices allow.',
   lab_cast: 'Ray casting as it is taught: four methods, and the grid of voxels',
   lab_cast_look:
     'Every ray finds its nearest shape. How many tests does each method save? Point at a pixel to see the boxes or voxels of its ray; those in which shapes were tested are magenta.',
