@@ -25,6 +25,16 @@ struct Origin {
     int line = 0;
 };
 
+/// What a map of opacity takes of a texel: MTL's -imfchan.
+enum class OpacityChannel {
+    Alpha,
+    AlphaOrLuminance,  ///< alpha if the texture has texels of alpha below 1, else luminance
+    Luminance,
+    Red,
+    Green,
+    Blue,
+};
+
 /// A map: its file, the place that names it, how it is looked up, and (after image::load_textures)
 /// its texels.
 struct Map {
@@ -39,6 +49,7 @@ struct Map {
     /// above 0: no file, but generated from the scene with this many texels a side [K3.1]
     int from_scene = 0;
     TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)
+    OpacityChannel channel = OpacityChannel::Alpha;  ///< of map_d
 };
 
 struct Physical;
@@ -51,8 +62,9 @@ struct Material {
     float Ns = 0;
     float Ni = 1;  ///< index of refraction
     float d = 1;   ///< opacity (1 - Tr)
-    /// Opacity that varies [GLTF2 3.9.4]: d times the alpha of a map, if there is one, and of the mesh's
-    /// colours. maps/finish.h cuts objects by it; what draws a scene finds none.
+    /// Opacity that varies [GLTF2 3.9.4]: d times that of a map, if there is one, and with vertex_d
+    /// the alpha of the mesh's colours. maps/finish.h cuts objects by it; what draws a scene finds
+    /// none.
     std::vector<Map> map_d;
     bool vertex_d = false;
     std::optional<float> d_cutoff;  ///< the product without d is 1 from here on, else 0

@@ -175,8 +175,9 @@ std::optional<std::size_t> common_side(const Weights& a, const Weights& b) {
 
 class Cutter {
 public:
-    Cutter(const Mesh& mesh, const Map* map, const OpacityLevels& levels, CutBudget& budget)
-        : mesh_(mesh), levels_(levels), budget_(budget), out_(levels.values.size()) {
+    Cutter(const Mesh& mesh, const Map* map, ColorUse use, const OpacityLevels& levels,
+           CutBudget& budget)
+        : mesh_(mesh), use_(use), levels_(levels), budget_(budget), out_(levels.values.size()) {
         if (map) plane_.emplace(*map);
     }
 
@@ -213,7 +214,8 @@ private:
 
     bool add_faces(const Triangle& triangle, std::vector<Face>& faces) {
         std::array<double, 3> alpha{1, 1, 1};
-        for (std::size_t k = 0; !data().colors.empty() && k < 3; ++k)
+        const bool by_colors = use_ == ColorUse::Opacity && !data().colors.empty();
+        for (std::size_t k = 0; by_colors && k < 3; ++k)
             alpha[k] = std::clamp(double(data().colors[triangle.vertex[k]].w), 0.0, 1.0);
         const PlaneTriangle in_map(in_plane(triangle));
         std::vector<OpacityPiece> pieces;
@@ -350,9 +352,11 @@ private:
         add_mean(data().positions, triangle, w, out.positions);
         add_mean(data().normals, triangle, w, out.normals);
         add_mean(data().texcoords, triangle, w, out.texcoords);
+        if (use_ == ColorUse::Color) add_mean(data().colors, triangle, w, out.colors);
     }
 
     const Mesh& mesh_;
+    ColorUse use_;
     std::optional<OpacityPlane> plane_;
     const OpacityLevels& levels_;
     CutBudget& budget_;
@@ -364,10 +368,10 @@ private:
 
 }  // namespace
 
-std::optional<std::vector<MeshData>> cut_by_opacity(const Mesh& mesh, const Map* map,
+std::optional<std::vector<MeshData>> cut_by_opacity(const Mesh& mesh, const Map* map, ColorUse use,
                                                     const OpacityLevels& levels,
                                                     CutBudget& budget) {
-    Cutter cutter(mesh, map, levels, budget);
+    Cutter cutter(mesh, map, use, levels, budget);
     if (!cutter.cut()) return std::nullopt;
     return cutter.take();
 }

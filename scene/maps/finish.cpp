@@ -1,6 +1,7 @@
 #include "scene/maps/finish.h"
 
 #include "scene/geometry/mirrored_faces.h"
+#include "scene/maps/alpha.h"
 #include "scene/maps/cut_mesh.h"
 #include "scene/maps/metal.h"
 #include "scene/maps/mirrored.h"
@@ -14,31 +15,6 @@ namespace gw::scene {
 namespace {
 
 bool has_opacity(const Material& m) { return m.vertex_d || m.d_cutoff || !m.map_d.empty(); }
-
-/// The alpha of a texture's texels.
-struct Alpha {
-    double low = 1, high = 1, mean = 1;
-    bool is_even() const { return low == high; }
-};
-
-Alpha alpha_of(const Texture& texture) {
-    std::uint16_t low = 0xFFFF, high = 0;
-    double sum = 0;
-    const TexelValues& rgba = texture.levels.front().rgba;
-    for (std::size_t i = 3; i < rgba.size(); i += 4) {
-        low = std::min(low, rgba[i]);
-        high = std::max(high, rgba[i]);
-        sum += rgba[i];
-    }
-    return {low / 65535.0, high / 65535.0, sum / (65535.0 * double(rgba.size() / 4))};
-}
-
-TextureRef opaque(const Texture& texture) {
-    const TexelValues& from = texture.levels.front().rgba;
-    std::vector<std::uint16_t> rgba(from.begin(), from.end());
-    for (std::size_t i = 3; i < rgba.size(); i += 4) rgba[i] = 0xFFFF;
-    return make_texture(texture.name, texture.width(), texture.height(), rgba);
-}
 
 /// As many as a glTF file may place.
 constexpr std::size_t most_objects = 1'000'000;
@@ -87,15 +63,16 @@ private:
 
     std::vector<Portion> cut(const Object& object) {
         const Material& m = material(object.material);
-        const Map* const map = m.map_d.empty() || !m.map_d[0].texture ? nullptr : &m.map_d[0];
-        const Alpha alpha = map ? alpha_in(map->texture) : Alpha{};
+        const Map* const map = opacity_map(object);
+        const AlphaRange alpha = map ? alpha_in(map->texture) : AlphaRange{};
         const OpacityLevels levels = m.d_cutoff ? mask_levels(double(*m.d_cutoff)) : blend_levels();
+        const ColorUse use = m.vertex_d ? ColorUse::Opacity : ColorUse::Color;
         const bool has_colors = m.vertex_d && !object.mesh->data().colors.empty();
         const bool is_even = alpha.is_even() && !has_colors;
         if (is_even || object.mesh->kind() != MeshKind::Triangles)
             return whole(object, m.d_cutoff ? levels.values[levels.of(alpha.mean)] : alpha.mean);
         const auto meshes =
-            cut_by_opacity(*object.mesh, alpha.low == 1 ? nullptr : map, levels, budget_);
+            cut_by_opacity(*object.mesh, alpha.low == 1 ? nullptr : map, use, levels, budget_);
         if (!meshes) {
             warn_budget(object);
             return whole(object, m.d_cutoff ? 1 : alpha.mean);
@@ -106,6 +83,17 @@ private:
                 portions.push_back({make_mesh((*meshes)[level]),
                                     level_material(object.material, levels.values[level])});
         return portions;
+    }
+
+    const Map* opacity_map(const Object& object) {
+        const Material& m = material(object.material);
+        if (m.map_d.empty() || !m.map_d[0].texture) return nullptr;
+        if (!object.mesh->data().texcoords.empty()) return &m.map_d[0];
+        warnings_.add(m.map_d[0].origin.file, m.map_d[0].origin.line, "opacity without st",
+                      "object '" + printable(object.name) +
+                          "' has no texture coordinates; expected some for its map of opacity, "
+                          "which is not used");
+        return nullptr;
     }
 
     std::vector<Portion> whole(const Object& object, double opacity) {
@@ -128,20 +116,15 @@ private:
 
     const Material& material(std::size_t index) const { return scene_.materials[index]; }
 
-    const Alpha& alpha_in(const TextureRef& texture) {
+    const AlphaRange& alpha_in(const TextureRef& texture) {
         const auto [found, is_new] = alphas_.try_emplace(texture);
         if (is_new) found->second = alpha_of(*texture);
         return found->second;
     }
 
-    /// Passes would multiply d by the alpha of these.
+    /// Their alpha became geometry.
     void make_maps_opaque(Material& m) {
-        for_each_color_map(m, [&](Map& map) {
-            if (!map.texture || alpha_in(map.texture).low == 1) return;
-            TextureRef& made = opaque_[map.texture];
-            if (!made) made = opaque(*map.texture);
-            map.texture = made;
-        });
+        for_each_color_map(m, [&](Map& map) { map.texture = opaque_.of(map.texture); });
     }
 
     void warn_budget(const Object& object) {
@@ -160,8 +143,8 @@ private:
     CutBudget budget_;
     std::map<std::pair<MeshRef, std::size_t>, std::vector<Portion>> cut_;
     std::map<std::pair<std::size_t, double>, std::size_t> levels_;
-    std::map<TextureRef, Alpha> alphas_;
-    std::map<TextureRef, TextureRef> opaque_;
+    std::map<TextureRef, AlphaRange> alphas_;
+    OpaqueTextures opaque_;
 };
 
 void finish_objects(Scene& scene, Warnings& warnings) {
@@ -177,6 +160,7 @@ void finish(Scene& scene, Warnings& warnings) {
 }
 
 void finish(Scene& scene, std::optional<Film>& film, Warnings& warnings) {
+    choose_opacity_channels(scene);
     apply_metal_maps(scene, warnings);
     unfold_mirrored(scene, warnings);
     if (film)

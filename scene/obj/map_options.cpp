@@ -4,13 +4,14 @@
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
 namespace gw::scene {
 namespace {
 
-enum class Argument { OnOff, Number, Base, Vector, Word };
+enum class Argument { OnOff, Number, Base, Vector, Word, Channel };
 
 // `neutral` is the argument that leaves the picture as it is; others are warned about. Honoured
 // options have none.
@@ -32,7 +33,17 @@ constexpr std::array known_options{
     Option{"-blendu", Argument::OnOff, "on"},
     Option{"-blendv", Argument::OnOff, "on"},
     Option{"-cc", Argument::OnOff, "off"},
-    Option{"-imfchan", Argument::Word, "none"},
+    Option{"-imfchan", Argument::Channel, "none"},
+};
+
+struct ChannelWord {
+    std::string_view word;
+    OpacityChannel channel;
+};
+constexpr std::array channel_words{
+    ChannelWord{"r", OpacityChannel::Red},       ChannelWord{"g", OpacityChannel::Green},
+    ChannelWord{"b", OpacityChannel::Blue},      ChannelWord{"m", OpacityChannel::Alpha},
+    ChannelWord{"l", OpacityChannel::Luminance},
 };
 
 std::optional<float> number(std::string_view word) {
@@ -44,7 +55,12 @@ std::optional<float> number(std::string_view word) {
 class MapReader {
 public:
     MapReader(const Statements& in, Warnings& warnings)
-        : in_(in), warnings_(warnings), rest_(in.rest()) {}
+        : in_(in),
+          warnings_(warnings),
+          rest_(in.rest()),
+          is_scalar_(lower(in.keyword()) == "map_d") {
+        if (is_scalar_) result_.map.channel = OpacityChannel::AlphaOrLuminance;
+    }
 
     MapStatement read(const std::filesystem::path& folder) {
         while (rest_.size() > 1 && rest_[0] == '-' && rest_[1] >= 'a' && rest_[1] <= 'z') option();
@@ -78,6 +94,9 @@ private:
             case Argument::Base: numbers(option, 2, 2); break;
             case Argument::Vector: vector(option); break;
             case Argument::Word: type(option); break;
+            case Argument::Channel:
+                if (channel(option)) return;
+                break;
         }
         const std::string_view argument = trim(begin.substr(0, begin.size() - rest_.size()));
         if (!option.neutral.empty() && argument != option.neutral)
@@ -96,6 +115,17 @@ private:
         const std::string_view argument = word();
         if (argument.empty()) fail(option, argument, "a word");
         if (option.name == "-type") result_.type = argument;
+    }
+
+    /// Whether it is honoured: a map of colours has all channels, and pictures have no depths, z.
+    bool channel(const Option& option) {
+        const std::string_view argument = word();
+        if (argument.empty() && !is_scalar_) fail(option, argument, "a word");
+        if (!is_scalar_ || argument == "none" || argument == "z") return false;
+        const auto* const found = std::ranges::find(channel_words, argument, &ChannelWord::word);
+        if (found == channel_words.end()) fail(option, argument, "r, g, b, m, l or z");
+        result_.map.channel = found->channel;
+        return true;
     }
 
     // One to three numbers; a number that ends the statement is the file's name.
@@ -130,6 +160,7 @@ private:
     const Statements& in_;
     Warnings& warnings_;
     std::string_view rest_;
+    bool is_scalar_;  ///< a map of numbers, which are a channel of its picture
     MapStatement result_;
 };
 

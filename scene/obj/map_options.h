@@ -12,7 +12,7 @@
 namespace gw::scene {
 
 struct MapStatement {
-    Map map;           ///< -clamp, -o and -s are in it
+    Map map;           ///< -clamp, -o, -s and, of map_d, -imfchan are in it
     std::string type;  ///< -type; empty if absent
 };
 

@@ -32,17 +32,15 @@ struct MapWord {
 constexpr std::array maps{
     MapWord{"map_ka", &Material::map_Ka}, MapWord{"map_kd", &Material::map_Kd},
     MapWord{"map_ks", &Material::map_Ks}, MapWord{"map_ke", &Material::map_Ke},
-    MapWord{"refl", &Material::refl},
+    MapWord{"map_d", &Material::map_d},   MapWord{"refl", &Material::refl},
 };
 
-// Understood, but without effect on the picture: surface detail, cut-outs, other programs'
-// materials.
+// Understood, but without effect on the picture: surface detail, other programs' materials.
 constexpr std::array mtl_not_honoured = std::to_array<std::string_view>({
-    "bump",    "map_bump",    "disp",   "map_disp", "decal",   "map_decal", "map_d",
-    "map_tr",  "map_opacity", "map_ns", "map_ni",   "norm",    "map_aat",   "sharpness",
-    "pr",      "pm",          "ps",     "pc",       "pcr",     "aniso",     "anisor",
-    "map_pr",  "map_pm",      "map_ps", "map_pc",   "map_pcr", "map_refl",  "map_rma",
-    "map_orm", "map_kn",      "km",     "it",       "kt",
+    "bump",    "map_bump", "disp",    "map_disp", "decal",     "map_decal", "map_tr", "map_opacity",
+    "map_ns",  "map_ni",   "norm",    "map_aat",  "sharpness", "pr",        "pm",     "ps",
+    "pc",      "pcr",      "aniso",   "anisor",   "map_pr",    "map_pm",    "map_ps", "map_pc",
+    "map_pcr", "map_refl", "map_rma", "map_orm",  "map_kn",    "km",        "it",     "kt",
 });
 
 class MtlReader {
@@ -63,6 +61,7 @@ public:
         }
         end_material();
         drop_repeated();
+        for (Material& material : materials_) choose_alpha(material);
         return std::move(materials_);
     }
 
@@ -88,6 +87,14 @@ private:
         warnings_.add(in_.file(), illum_line_, "illum Ks",
                       name + std::to_string(material.illum) +
                           " has no highlights: Ks is not used; expected illum 2 for highlights");
+    }
+
+    // Programs name the picture of map_Kd again for its alpha, which may be 1 everywhere.
+    static void choose_alpha(Material& material) {
+        for (Map& map : material.map_d)
+            if (map.channel == OpacityChannel::AlphaOrLuminance &&
+                std::ranges::find(material.map_Kd, map.file, &Map::file) != material.map_Kd.end())
+                map.channel = OpacityChannel::Alpha;
     }
 
     // The first material of a name counts, as the first of several libraries does.
@@ -130,9 +137,9 @@ private:
         for (const std::string_view name : mtl_not_honoured)
             if (keyword_ == name)
                 return warn(name, std::string(in_.keyword()) + " is not honoured");
-        std::vector<std::string> known{"newmtl", "Ka",     "Kd",     "Ks",  "Ke",    "Tf",
-                                       "Ns",     "Ni",     "d",      "Tr",  "illum", "map_Ka",
-                                       "map_Kd", "map_Ks", "map_Ke", "refl"};
+        std::vector<std::string> known{"newmtl", "Ka",     "Kd",     "Ks",    "Ke",    "Tf",
+                                       "Ns",     "Ni",     "d",      "Tr",    "illum", "map_Ka",
+                                       "map_Kd", "map_Ks", "map_Ke", "map_d", "refl"};
         known.insert(known.end(), mtl_not_honoured.begin(), mtl_not_honoured.end());
         in_.fail(unknown("statement", in_.keyword(), known));
     }
@@ -220,11 +227,14 @@ private:
         const Map& map = statement.map;
         const auto same = [&](const Map& m) {
             return m.file == map.file && m.wrap_s == map.wrap_s && m.offset == map.offset &&
-                   m.scale == map.scale;
+                   m.scale == map.scale && m.channel == map.channel;
         };
         if (std::ranges::any_of(list, same))
             return warn("map again",
                         std::string(in_.keyword()) + " again with the same map; it counts once");
+        if (keyword_ == "map_d" && !list.empty())
+            return warn("map_d again", std::string(in_.keyword()) +
+                                           " again with another map; the first one counts");
         list.push_back(map);
     }
 

@@ -62,7 +62,7 @@ MeshRef square(int n, float repeats = 1) {
 
 std::vector<MeshData> cut(const MeshRef& mesh, const Map* map, const OpacityLevels& levels) {
     CutBudget budget;
-    return cut_by_opacity(*mesh, map, levels, budget).value();
+    return cut_by_opacity(*mesh, map, ColorUse::Opacity, levels, budget).value();
 }
 
 using Edge = std::array<float, 6>;
@@ -114,6 +114,25 @@ TEST(CutMesh, ABlendHasTheAreaOfEachSixteenth) {
         EXPECT_NEAR(area_of(meshes[std::size_t(k)]),
                     beyond((k - 0.5) / 16) - beyond((k + 0.5) / 16), 1e-6)
             << k;
+}
+
+TEST(CutMesh, ColoursThatAreNoOpacityStayWithTheirPoints) {
+    MeshData data = square(1)->data();
+    for (const vec3& p : data.positions) data.colors.emplace_back(p.x, p.y, 0.25f, p.x * p.y);
+    const Map map = map_of(4, 1, {0.25, 0.5, 0.75, 1}, Wrap::Clamp);
+    CutBudget budget;
+    const auto meshes =
+        cut_by_opacity(*make_mesh(std::move(data)), &map, ColorUse::Color, blend_levels(), budget)
+            .value();
+    EXPECT_NEAR(area_of(meshes), 1, 1e-6);
+    for (const MeshData& mesh : meshes) {
+        ASSERT_EQ(mesh.colors.size(), mesh.positions.size());
+        for (std::size_t i = 0; i < mesh.colors.size(); ++i) {
+            EXPECT_NEAR(mesh.colors[i].x, mesh.positions[i].x, 1e-6);
+            EXPECT_NEAR(mesh.colors[i].y, mesh.positions[i].y, 1e-6);
+            EXPECT_NEAR(mesh.colors[i].z, 0.25f, 1e-6);
+        }
+    }
 }
 
 TEST(CutMesh, AStepOfTexelsIsCutInTheMiddle) {
@@ -208,11 +227,11 @@ TEST(CutMesh, VertexAlphasMultiplyTheMap) {
 TEST(CutMesh, ABudgetIsKept) {
     const Map map = map_of(64, 64, noise(64 * 64, 1, 0));
     CutBudget few{.triangles = 1000};
-    EXPECT_FALSE(cut_by_opacity(*square(1), &map, blend_levels(), few));
+    EXPECT_FALSE(cut_by_opacity(*square(1), &map, ColorUse::Opacity, blend_levels(), few));
     CutBudget cells{.cells = 4000};
-    EXPECT_FALSE(cut_by_opacity(*square(1), &map, blend_levels(), cells));
+    EXPECT_FALSE(cut_by_opacity(*square(1), &map, ColorUse::Opacity, blend_levels(), cells));
     CutBudget far;
-    EXPECT_FALSE(cut_by_opacity(*square(1, 1e30f), &map, blend_levels(), far));
+    EXPECT_FALSE(cut_by_opacity(*square(1, 1e30f), &map, ColorUse::Opacity, blend_levels(), far));
 }
 
 }  // namespace gw::scene

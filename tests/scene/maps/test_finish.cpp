@@ -1,9 +1,11 @@
-// Claims: a finished scene has one opacity for each object, also in films; maps of what was cut have no
-// alpha; mirrored maps repeat a texture that holds the mirror image.
+// Claims: a finished scene has one opacity for each object, also in films; a map of opacity is the
+// channel that its statement chooses; maps of what was cut have no alpha; mirrored maps repeat a
+// texture that holds the mirror image.
 #include "scene/maps/finish.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace gw::scene {
@@ -54,6 +56,52 @@ TEST(Finish, ATextureOfOneAlphaIsExact) {
     ASSERT_EQ(scene.objects.size(), 1u);
     EXPECT_EQ(scene.objects[0].mesh, mesh);
     EXPECT_NEAR(opacities(scene)[0], 0.15, 1e-5);
+}
+
+/// The opacity of the square under a texture of this one texel.
+float opacity_of(const std::array<double, 4>& rgba, OpacityChannel channel) {
+    std::vector<std::uint16_t> texels;
+    for (const double v : rgba) texels.push_back(std::uint16_t(std::lround(v * 65535)));
+    Scene scene = leaf(make_texture("texel", 1, 1, texels));
+    scene.materials[0].map_d[0].channel = channel;
+    finished(scene);
+    return opacities(scene).at(0);
+}
+
+TEST(Finish, AMapOfOpacityIsTheChannelThatItsStatementChooses) {
+    const std::array<double, 4> texel{0.1, 0.4, 0.7, 0.6};
+    const double near = 1e-5;
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::Red), 0.1, near);
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::Green), 0.4, near);
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::Blue), 0.7, near);
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::Alpha), 0.6, near);
+    const double luminance = 0.2126 * 0.1 + 0.7152 * 0.4 + 0.0722 * 0.7;
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::Luminance), luminance, near);
+    EXPECT_NEAR(opacity_of(texel, OpacityChannel::AlphaOrLuminance), 0.6, near);
+    EXPECT_NEAR(opacity_of({0.1, 0.4, 0.7, 1}, OpacityChannel::AlphaOrLuminance), luminance, near);
+    EXPECT_EQ(opacity_of({1, 1, 1, 1}, OpacityChannel::AlphaOrLuminance), 1);
+}
+
+TEST(Finish, AMapOfOpacityLeavesTheTextureOfColours) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 1, 1}));
+    const TextureRef colors = scene.materials[0].map_Kd[0].texture;
+    scene.materials[0].map_d[0].channel = OpacityChannel::Blue;
+    finished(scene);
+    const Material& drawn = scene.materials[scene.objects[0].material];
+    EXPECT_NEAR(drawn.d, 3000 / 65535.0, 1e-6);
+    EXPECT_EQ(drawn.map_Kd.at(0).texture, colors);
+}
+
+TEST(Finish, AMapOfOpacityWithoutTextureCoordinatesIsOneWarning) {
+    Scene scene = leaf(texture(4, 1, {1, 1, 0, 0}));
+    MeshData bare = scene.objects[0].mesh->data();
+    bare.texcoords.clear();
+    scene.objects[0].mesh = make_mesh(std::move(bare));
+    scene.objects.push_back(scene.objects[0]);
+    EXPECT_EQ(finished(scene), (std::vector<std::string>{
+                                   "leaf.gltf: object 'square' has no texture coordinates; "
+                                   "expected some for its map of opacity, which is not used"}));
+    EXPECT_EQ(opacities(scene), (std::vector<float>{1, 1}));
 }
 
 TEST(Finish, ABlendedTextureIsCutIntoLevels) {

@@ -12,9 +12,9 @@ struct MapOptions : testing::Test {
     Folder folder;
     Warnings list;
 
-    MapStatement read(const std::string& rest) {
+    MapStatement read(const std::string& rest, const std::string& keyword = "map_Kd") {
         list = Warnings();
-        const std::string text = "map_Kd " + rest + "\n";
+        const std::string text = keyword + " " + rest + "\n";
         Statements in("m.mtl", text);
         in.next();
         return read_map(in, folder.path(), list);
@@ -22,8 +22,8 @@ struct MapOptions : testing::Test {
     std::string file(const std::string& rest) {
         return folder.relative(read(rest).map.file.string());
     }
-    std::string fault(const std::string& rest) {
-        return folder.error([&] { read(rest); });
+    std::string fault(const std::string& rest, const std::string& keyword = "map_Kd") {
+        return folder.error([&] { read(rest, keyword); });
     }
 };
 
@@ -63,6 +63,23 @@ TEST_F(MapOptions, AreWarnedAboutWhereTheyWouldChangeThePicture) {
                                      "m.mtl:1: map option -texres is not honoured",
                                      "m.mtl:1: map option -imfchan is not honoured",
                                      "m.mtl:1: map option -t is not honoured"}));
+}
+
+TEST_F(MapOptions, ChooseTheChannelOfAMapOfOpacity) {
+    const auto channel = [&](const std::string& rest) { return read(rest, "map_d").map.channel; };
+    EXPECT_EQ(channel("a.png"), OpacityChannel::AlphaOrLuminance);
+    EXPECT_EQ(channel("-imfchan r a.png"), OpacityChannel::Red);
+    EXPECT_EQ(channel("-imfchan g a.png"), OpacityChannel::Green);
+    EXPECT_EQ(channel("-clamp on -imfchan b a.png"), OpacityChannel::Blue);
+    EXPECT_EQ(channel("-imfchan m a.png"), OpacityChannel::Alpha);
+    EXPECT_EQ(channel("-imfchan l a.png"), OpacityChannel::Luminance);
+    EXPECT_TRUE(list.lines().empty());
+    EXPECT_EQ(channel("-imfchan z a.png"), OpacityChannel::AlphaOrLuminance);
+    EXPECT_EQ(list.lines(), (Strings{"m.mtl:1: map option -imfchan is not honoured"}));
+    EXPECT_EQ(fault("-imfchan a a.png", "map_d"),
+              "m.mtl:1: -imfchan has 'a'; expected r, g, b, m, l or z");
+    EXPECT_EQ(fault("-imfchan", "map_d"), "m.mtl:1: -imfchan has ''; expected r, g, b, m, l or z");
+    EXPECT_EQ(fault("-imfchan"), "m.mtl:1: -imfchan has ''; expected a word");
 }
 
 TEST_F(MapOptions, AreCheckedOneByOne) {

@@ -129,6 +129,40 @@ TEST_F(Mtl, KeepsSeveralMapsOfOneComponentButNoneTwice) {
     EXPECT_EQ(warned(), (Strings{"m.mtl:3: map_Kd again with the same map; it counts once"}));
 }
 
+TEST_F(Mtl, ReadsAMapOfOpacity) {
+    const auto file = folder.write("leaf.png", "");
+    const Material m = one("map_D -clamp on -s 2 3 -o 0.5 leaf.png\nd 0.5");
+    ASSERT_EQ(m.map_d.size(), 1u);
+    EXPECT_EQ(m.map_d[0].file, file);
+    EXPECT_EQ(m.map_d[0].origin.line, 2);
+    EXPECT_EQ(m.map_d[0].wrap_s, Wrap::Clamp);
+    EXPECT_EQ(m.map_d[0].scale, vec2(2, 3));
+    EXPECT_EQ(m.map_d[0].offset, vec2(0.5f, 0));
+    EXPECT_EQ(m.d, 0.5f);
+    EXPECT_FALSE(m.vertex_d || m.d_cutoff);
+    EXPECT_EQ(warned(), Strings());
+}
+
+TEST_F(Mtl, TakesTheAlphaOfThePictureThatMapKdNames) {
+    const auto channel = [&](const std::string& statements) {
+        return one(statements).map_d.at(0).channel;
+    };
+    EXPECT_EQ(channel("map_d a.png"), OpacityChannel::AlphaOrLuminance);
+    EXPECT_EQ(channel("map_Kd b.png\nmap_d a.png"), OpacityChannel::AlphaOrLuminance);
+    EXPECT_EQ(channel("map_Kd a.png\nmap_d a.png"), OpacityChannel::Alpha);
+    EXPECT_EQ(channel("map_d a.png\nmap_Kd b.png\nmap_Kd a.png"), OpacityChannel::Alpha);
+    EXPECT_EQ(channel("map_Kd a.png\nmap_d -imfchan l a.png"), OpacityChannel::Luminance);
+}
+
+TEST_F(Mtl, CountsTheFirstMapOfOpacity) {
+    folder.write("a.png", "");
+    const Material m = one("map_d a.png\nmap_d a.png\nmap_d b.png");
+    ASSERT_EQ(m.map_d.size(), 1u);
+    EXPECT_EQ(folder.relative(m.map_d[0].file.string()), "a.png");
+    EXPECT_EQ(warned(), (Strings{"m.mtl:3: map_d again with the same map; it counts once",
+                                 "m.mtl:4: map_d again with another map; the first one counts"}));
+}
+
 TEST_F(Mtl, CountsTheFirstOfEqualNames) {
     const std::vector<Material> materials =
         read("newmtl a\nKd 1 0 0\nnewmtl b\nnewmtl a\nKd 0 0 1\n");
@@ -138,9 +172,10 @@ TEST_F(Mtl, CountsTheFirstOfEqualNames) {
 }
 
 TEST_F(Mtl, WarnsOfWhatItDoesNotHonour) {
-    one("map_Bump -bm 0.5 b.png\nmap_d m.png\nPr 0.5\nmap_Bump c.png");
-    EXPECT_EQ(warned(), (Strings{"m.mtl:2: map_Bump is not honoured",
-                                 "m.mtl:3: map_d is not honoured", "m.mtl:4: Pr is not honoured"}));
+    one("map_Bump -bm 0.5 b.png\nmap_Ns m.png\nPr 0.5\nmap_Bump c.png");
+    EXPECT_EQ(warned(),
+              (Strings{"m.mtl:2: map_Bump is not honoured", "m.mtl:3: map_Ns is not honoured",
+                       "m.mtl:4: Pr is not honoured"}));
 }
 
 TEST_F(Mtl, RefusesWhatIsWrong) {

@@ -1,0 +1,30 @@
+// The alpha of textures. Does not read pictures.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <map>
+
+namespace gw::scene {
+
+/// Of a texture's texels.
+struct AlphaRange {
+    double low = 1, high = 1, mean = 1;
+    bool is_even() const { return low == high; }
+};
+AlphaRange alpha_of(const Texture& texture);
+
+/// Textures with alpha 1 in place of others, each made once.
+class OpaqueTextures {
+public:
+    /// The texture itself if its alpha is 1, or if it is null.
+    TextureRef of(const TextureRef& texture);
+
+private:
+    std::map<TextureRef, TextureRef> made_;
+};
+
+/// Puts what each map_d's channel chooses into the alpha of its texture.
+void choose_opacity_channels(Scene& scene);
+
+}  // namespace gw::scene
