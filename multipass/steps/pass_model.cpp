@@ -2,6 +2,7 @@
 
 #include "scene/draw/draw_commands.h"
 #include "scene/draw/shading.h"
+#include "scene/maps/alpha.h"
 
 #include <algorithm>
 #include <map>
@@ -14,9 +15,13 @@ namespace {
 
 using scene::Component;
 
-/// Meshes that a map's scale and offset changed, each made once.
-class MeshCache {
+/// Meshes that a map's scale and offset changed, and textures, each made once.
+class MapCache {
 public:
+    /// Passes multiply d by the alpha of a texture, which is no part of a surface's opacity.
+    TextureRef texture(const scene::Map& map, const scene::Material& material) {
+        return material.d < 1 ? opaque_.of(map.texture) : map.texture;
+    }
     MeshRef mapped(const MeshRef& mesh, const scene::Map& map) {
         const Key key{mesh, map.scale.x, map.scale.y, map.offset.x, map.offset.y};
         MeshRef& made = meshes_[key];
@@ -27,6 +32,7 @@ public:
 private:
     using Key = std::tuple<MeshRef, float, float, float, float>;
     std::map<Key, MeshRef> meshes_;
+    scene::OpaqueTextures opaque_;
 };
 
 TextureState lookup_of(const scene::Map& map, PassMap kind, const scene::Material& material) {
@@ -54,11 +60,11 @@ Component component_of(PassMap map) {
     return Component::Diffuse;
 }
 
-PartMaps maps_of(const MeshRef& mesh, const scene::Material& material, MeshCache& cache) {
+PartMaps maps_of(const MeshRef& mesh, const scene::Material& material, MapCache& cache) {
     PartMaps maps;
     const auto add = [&](PassMap kind, const scene::Map& map) {
-        maps[std::size_t(kind)].push_back(
-            {cache.mapped(mesh, map), map.texture, lookup_of(map, kind, material)});
+        maps[std::size_t(kind)].push_back({cache.mapped(mesh, map), cache.texture(map, material),
+                                           lookup_of(map, kind, material)});
     };
     for (const PassMap kind : {PassMap::Ambient, PassMap::Diffuse, PassMap::Specular,
                                PassMap::Emission, PassMap::Reflection, PassMap::Refraction})
@@ -89,7 +95,7 @@ vec3 value_of(const Parameter& p, const vec3& objects, const scene::Material& m)
 
 PassModel make_pass_model(const scene::Scene& scene) {
     PassModel model{.scene = &scene};
-    MeshCache cache;
+    MapCache cache;
     std::map<std::pair<const Mesh*, std::size_t>, std::shared_ptr<const PartMaps>> maps;
     std::map<const Mesh*, scene::Bounds> boxes;
     model.parts.reserve(scene.objects.size());

@@ -1,12 +1,14 @@
 // Claims: what a mask or a single-sided material hides is hidden in every renderer: a masked wall is the
 // picture of the wall that is left, and a wall whose back is seen is the picture without it, but for its
-// shadow. Mirrored objects are lit from outside.
+// shadow. The alpha of maps of colours is no opacity. Mirrored objects are lit from outside.
 #include "render/drawing.h"
 #include "scene/maps/finish.h"
 #include "scene/shapes/shapes.h"
 #include "tests/raytrace/walls.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace gw::render {
 namespace {
@@ -80,6 +82,66 @@ TEST(MasksAndSides, AMaskedWallIsTheWallThatIsLeft) {
                 renderer.name);
             EXPECT_GT(differences(masked, whole), 50u) << renderer.name;
         }
+}
+
+TEST(MasksAndSides, AMapOfOpacityIsTheWallsOfItsOpacities) {
+    const auto wall = [](float low, float high, float d) {
+        return [=](raytrace::Walls& walls) {
+            scene::Material& m =
+                walls.add({(low + high) / 2, 0, 0}, {(high - low) / 2, 0, 0}, {0, 1, 0});
+            m.Kd = vec3(0.8f, 0.3f, 0.2f);
+            m.d = d;
+        };
+    };
+    for (const Renderer& renderer : renderers()) {
+        const auto cut = picture(room([](raytrace::Walls& walls) {
+                                     scene::Material& m = add_pane(walls, -1, 0.5f);
+                                     m.d = 0.5f;
+                                 }),
+                                 renderer.name);
+        const auto left = picture(room(wall(-1, 0, 0.25f)), renderer.name),
+                   right = picture(room(wall(0, 1, 0.5f)), renderer.name);
+        // Between the middles of the texels of both, from -0.25 to 0.25, opacities lie between.
+        std::size_t steps = 0;
+        for (std::size_t y = 0; y < side; ++y)
+            for (std::size_t x = 0; x < side; ++x) {
+                const std::size_t i = y * side + x;
+                const bool is_left = x < side / 2, is_between = x >= 18 && x < side - 18;
+                const Rgba& expected = (is_left ? left : right)[i];
+                if (is_between)
+                    steps += cut[i] != expected;
+                else
+                    EXPECT_EQ(cut[i], expected) << renderer.name << x << " " << y;
+            }
+        const bool blends = left[side / 2 * side + 14] != right[side / 2 * side + 33];
+        if (blends) EXPECT_GT(steps, 20u) << renderer.name;
+    }
+}
+
+TEST(MasksAndSides, TheAlphaOfAMapOfColoursIsNoOpacity) {
+    const auto with_map = [](float alpha, float d, bool is_sphere_map) {
+        return room([=](raytrace::Walls& walls) {
+            scene::Material& m = add_pane(walls, -1, alpha);
+            m.map_d.clear();
+            m.d = d;
+            if (!is_sphere_map) return;
+            m.Ks = vec3(0.5f);
+            m.refl = std::exchange(m.map_Kd, {});
+        });
+    };
+    // Passes of opaque surfaces leave a map's alpha in that of the frame buffer.
+    const auto seen = [](std::vector<Rgba> picture) {
+        for (Rgba& color : picture) color[3] = 0;
+        return picture;
+    };
+    for (const Renderer& renderer : renderers())
+        for (const bool is_sphere_map : {false, true})
+            for (const float d : {0.5f, 1.0f}) {
+                const auto plain = picture(with_map(1, d, is_sphere_map), renderer.name),
+                           with_alpha = picture(with_map(0.25f, d, is_sphere_map), renderer.name);
+                EXPECT_EQ(differences(seen(with_alpha), seen(plain)), 0u)
+                    << renderer.name << d << is_sphere_map;
+            }
 }
 
 TEST(MasksAndSides, TheBackOfASingleSidedWallIsNotDrawn) {
