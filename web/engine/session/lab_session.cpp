@@ -17,12 +17,13 @@
 namespace gw::lab {
 namespace {
 
-template <class Visit>
-void for_each_map(scene::Scene& scene, const Visit& visit) {
-    for (scene::Material& m : scene.materials)
+/// Of a scene that is constant or not.
+template <class Scene, class Visit>
+void for_each_map(Scene& scene, const Visit& visit) {
+    for (auto& m : scene.materials)
         for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.map_d, &m.map_metal,
                            &m.refl, &m.refraction})
-            for (scene::Map& map : *maps)
+            for (auto& map : *maps)
                 if (map.from_scene == 0) visit(map);
 }
 
@@ -51,6 +52,7 @@ void LabSession::add_picture(const std::string& path, int width, int height, int
     for (std::size_t y = std::size_t(height); y-- > 0;) turned.append(texels, y * row, row);
     const std::string name = std::filesystem::path(path).filename().string();
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(turned.data());
+    finished_.reset();
     if (bits == 8) {
         pictures_[key_of(path)] = make_texture8(name, width, height, {bytes, turned.size()});
         return;
@@ -66,6 +68,7 @@ Json LabSession::open(const Json& options) {
     rays_.reset();
     caster_.reset();
     shapes_.clear();
+    finished_.reset();
     file_ = scene::read_scene(options.at("path").get<std::string>());
     Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
     for (const scene::Object& object : file_.scene.objects)
@@ -86,7 +89,7 @@ Json LabSession::open(const Json& options) {
 }
 
 scene::Scene LabSession::scene_for(const Json& options) const {
-    return render::scene_for(request_of(options), {.scene = file_.scene});
+    return render::scene_for(request_of(options), {.scene = finished().scene});
 }
 
 scene::View LabSession::view_of(const scene::Scene& scene, const Json& options) const {
@@ -110,18 +113,30 @@ Machine& LabSession::machine_for(const Json& options) {
     return *machine_;
 }
 
-void LabSession::load_textures(scene::Scene& scene) const {
-    for_each_map(scene, [&](scene::Map& map) {
+const LabSession::Finished& LabSession::finished() const {
+    if (finished_) return *finished_;
+    Finished made{file_.scene, {}};
+    for_each_map(made.scene, [&](scene::Map& map) {
+        const auto found = pictures_.find(key_of(map.file));
+        if (!map.bytes && found != pictures_.end()) map.texture = found->second;
+    });
+    scene::Warnings warnings;
+    scene::finish(made.scene, warnings);
+    made.warnings = warnings.lines();
+    finished_ = std::move(made);
+    return *finished_;
+}
+
+Json LabSession::finish(const Json&) { return {{"warnings", finished().warnings}}; }
+
+void LabSession::check_pictures() const {
+    for_each_map(file_.scene, [&](const scene::Map& map) {
         if (map.bytes)
             throw Error(map.file.string() + " lies within its file; expected it beside the scene");
-        const auto found = pictures_.find(key_of(map.file));
-        if (found == pictures_.end())
+        if (!map.texture && !pictures_.contains(key_of(map.file)))
             throw Error(map.origin.file, map.origin.line,
                         map.file.string() + " is not here; expected it beside the scene");
-        map.texture = found->second;
     });
-    scene::Warnings unsaid;  // the lab says what reading warns of
-    scene::finish(scene, unsaid);
 }
 
 render::Drawing LabSession::drawing_of(const Json& options) const {
@@ -131,10 +146,9 @@ render::Drawing LabSession::drawing_of(const Json& options) const {
         passes = pass_list_from(list);
     else if (!file_.passes.empty())
         passes = multipass::read_passes(file_.passes);
-    scene::Scene scene = file_.scene;
-    load_textures(scene);
+    check_pictures();
     return render::make_drawing(request, render::load_profile(request),
-                                {.scene = std::move(scene), .passes = std::move(passes)});
+                                {.scene = finished().scene, .passes = std::move(passes)});
 }
 
 void LabSession::keep_picture(Machine& machine) {
@@ -189,6 +203,7 @@ std::string LabSession::manifest(const Json& options) {
 
 const Method session_methods[] = {
     {"open", &LabSession::open},
+    {"finish", &LabSession::finish},
     {"draw", &LabSession::draw, {{"picture", &LabSession::picture}}},
     {"manifest", &LabSession::manifest},
 };

@@ -20,6 +20,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +39,9 @@ public:
     /// Reads `path`, a TOML scene or an OBJ file. Answers what is in it, and the texture files that it
     /// needs.
     Json open(const Json& options);
+    /// Finishes the scene with the pictures that were added since: all methods then work on it.
+    /// Answers `warnings` of that.
+    Json finish(const Json& options);
     /// Draws the scene: options `renderer`, `samples`, `reflections`, `translucency`, `shadow`,
     /// `depth`, and those of a view. Answers passes, counters, and `warnings` for people.
     Json draw(const Json& options);
@@ -128,6 +132,14 @@ public:
     Machine& machine_for(const Json& options);
 
 private:
+    struct Finished {
+        scene::Scene scene;
+        std::vector<std::string> warnings;
+    };
+    /// With the pictures that are here.
+    const Finished& finished() const;
+    /// Throws Error if a picture is not here.
+    void check_pictures() const;
     /// What a renderer draws.
     render::Drawing drawing_of(const Json& options) const;
     struct Rays {
@@ -142,7 +154,6 @@ private:
     /// Draws with what the last picture left that no eye changes; the same bits. Answers
     /// render::warnings of the first of these pictures, and a line if this one is empty.
     std::vector<std::string> draw_again(Machine& machine, const Json& options);
-    void load_textures(scene::Scene& scene) const;
     void keep_picture(Machine& machine);
     const Lighting& lighting_of(const Json& options) const;
     std::string graded_log(Machine& machine, const hiddensurface::Algorithm& algorithm,
@@ -151,6 +162,7 @@ private:
 
     scene::SceneFile file_;
     std::map<std::string, TextureRef> pictures_;
+    mutable std::optional<Finished> finished_;  ///< made by the first caller
     std::unique_ptr<Machine> machine_;
     std::string machine_key_;
     struct Drawn {

@@ -45,7 +45,7 @@ void check_tests(const raytrace::RayCaster& caster, const scene::View& view, dou
 const raytrace::RayCaster& LabSession::caster_for(const Json& options) {
     const std::string key =
         options.value("method", "grid") + " " + options.value("inside", "crossings");
-    if (shapes_.empty()) shapes_ = raytrace::cast_shapes(file_.scene);
+    if (shapes_.empty()) shapes_ = raytrace::cast_shapes(finished().scene);
     if (!caster_ || key != caster_key_) {
         caster_ =
             raytrace::make_caster(render::value_from("method", options.value("method", "grid"),

@@ -107,8 +107,8 @@ Json LabSession::path(const Json& options) {
 }
 
 Json LabSession::outside(const Json& options) {
+    check_pictures();
     scene::Scene scene = scene_for(options);
-    load_textures(scene);
     scene.camera = outside_camera(scene);
     scene.camera->fov *= 0.7;  // a box fills less than the sphere around it
     if (options.contains("from"))

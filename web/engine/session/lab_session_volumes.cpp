@@ -54,8 +54,8 @@ int add_volumes(scene::Scene& shown, const scene::Scene& scene, std::size_t mate
 }  // namespace
 
 Json LabSession::volumes(const Json& options) {
+    check_pictures();
     scene::Scene scene = scene_for(options);
-    load_textures(scene);
     scene::Scene shown = scene;
     const scene::Bounds bounds = scene::bounds(scene);
     for (scene::Light& light : shown.lights) {

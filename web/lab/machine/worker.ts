@@ -96,7 +96,8 @@ const own: { [M in Own]: (...values: Parameters<Methods[M]>) => unknown } = {
   open(path) {
     const facts = called('open', { path }) as SceneFacts & { pictures: string[] };
     facts.pictures.forEach(addPicture);
-    return facts;
+    const { warnings } = called('finish', {}) as Pick<SceneFacts, 'warnings'>;
+    return { ...facts, warnings: [...facts.warnings, ...warnings] };
   },
 };
 

@@ -3,11 +3,17 @@ import { expect, it } from 'vitest';
 import { enter, inChromium, open, thePage } from './page';
 
 inChromium();
-/** By name and text. */
-const drop = (files: Record<string, string>) =>
+/** By name; texts, or bytes in base 64. */
+const drop = (files: Record<string, string | { base64: string }>) =>
   thePage().evaluate((files) => {
     const data = new DataTransfer();
-    for (const [name, text] of Object.entries(files)) data.items.add(new File([text], name));
+    for (const [name, content] of Object.entries(files)) {
+      const part =
+        typeof content === 'string'
+          ? content
+          : Uint8Array.from(atob(content.base64), (c) => c.charCodeAt(0));
+      data.items.add(new File([part], name));
+    }
     window.dispatchEvent(new DragEvent('drop', { dataTransfer: data }));
   }, files);
 const alerts = () => thePage().$$eval('[role=alert]', (all) => all.map((e) => e.textContent));
@@ -41,6 +47,32 @@ it.each([
   );
   await thePage().waitForFunction(() => !document.querySelector('[role=alert]'));
   await thePage().waitForSelector('figure.plane:not(.old) canvas');
+});
+
+// A PNG of 2 x 1 texels, white: alpha 255 and 51.
+const leaf =
+  'iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAADElEQVR4nGP4DwHGACMZBy2/ARpLAAAAAElFTkSuQmCC';
+const square = 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n';
+
+it.each(['passes', 'hidden', 'rays'])('%s says what finishing a scene warns of', async (name) => {
+  await open(`#lang=en&exhibit=${name}&size=64x48`);
+  await thePage().waitForSelector('canvas');
+  await drop({
+    'leaf.mtl': 'newmtl leaf\nmap_Kd leaf.png\nmap_d leaf.png\n',
+    'leaf.obj':
+      `mtllib leaf.mtl\nusemtl leaf\n${square}vt 0 0\nvt 1 0\nvt 1 1\n` +
+      'f 1/1 2/2 3/3\no bare\nf 1 3 4\n',
+    'leaf.png': { base64: leaf },
+  });
+  const why =
+    "own/leaf.mtl:3: object 'bare' has no texture coordinates; expected some for its map of " +
+    'opacity, which is not used';
+  await thePage().waitForFunction(
+    (why) => [...document.querySelectorAll('p.warning')].some((e) => e.textContent === why),
+    {},
+    why,
+  );
+  expect(await alerts()).toEqual([]);
 });
 
 it('goes back to the exhibit and the scene before', async () => {
