@@ -27,7 +27,7 @@ PlacedModel place_with_shadows(const PassModel& model, const scene::View& view,
     return placed;
 }
 
-/// The lists of a model of more parts are cut.
+/// The lists of a model of more parts, or of more pieces from far to near, are cut.
 constexpr std::size_t many_parts = 1 << 16;
 
 bool traces(const std::vector<Step>& steps) {
@@ -99,7 +99,7 @@ FrameRules FrameDrawer::rules() {
                      .one_winner = options_.one_winner == OneWinner::Always,
                      .stencil_bits = machine_.profile().stencil_bits};
     rules.most_images = most_pictures(machine_.profile());
-    if (model_.parts.size() > many_parts)
+    if (std::max(model_.parts.size(), placed_.far_to_near.size()) > many_parts)
         rules.cut = [this](CommandList& list) {
             machine_.execute(list);
             list.commands.clear();

@@ -23,20 +23,19 @@ void set_fog(State& state, PassFog fog, const scene::Scene& scene) {
                  .color = vec4(color, 1)};
 }
 
-/// Whole parts, or pieces from far to near if a translucent pass needs an order.
-std::vector<Portion> portions(const PlacedModel& placed, const Step& step) {
+/// Visits whole parts, or pieces from far to near if a translucent pass needs an order.
+template <class Visit>
+void for_each_portion(const PlacedModel& placed, const Step& step, const Visit& visit) {
+    const auto& parts = placed.model->parts;
     const bool sorted =
         step.pass.objects == PassObjects::Translucent && step.pass.depth.func != DepthFunc::Equal;
-    std::vector<Portion> result;
     if (sorted && !placed.far_to_near.empty()) {
-        result = placed.far_to_near;
-    } else {
-        for (std::size_t i = 0; i < placed.model->parts.size(); ++i) result.push_back({.part = i});
+        for (const Portion& portion : placed.far_to_near)
+            if (concerns(step, parts[portion.part], *placed.model)) visit(portion);
+        return;
     }
-    std::erase_if(result, [&](const Portion& p) {
-        return !concerns(step, placed.model->parts[p.part], *placed.model);
-    });
-    return result;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        if (concerns(step, parts[i], *placed.model)) visit(Portion{.part = i});
 }
 
 }  // namespace
@@ -123,13 +122,13 @@ void begin_step(CommandList& list, StateWriter& states, const PlacedModel& place
 
 void draw_step(CommandList& list, StateWriter& states, const PlacedModel& placed, const Step& step,
                State state, const FrameRules& rules) {
-    for (const Portion& portion : portions(placed, step)) {
+    for_each_portion(placed, step, [&](const Portion& portion) {
         state.texture = lookup_of(placed, step, portion.part);
         state.cull = placed.cull[portion.part];
         states.set(state);
         list.add(draw_of(placed, step, portion));
         cut_if_long(list, rules);
-    }
+    });
 }
 
 void add_step(CommandList& list, const PlacedModel& placed, const Step& step,
