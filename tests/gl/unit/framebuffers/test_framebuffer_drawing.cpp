@@ -217,6 +217,8 @@ TEST(GlFramebuffers, DrawToLevelsFacesAndSlices) {
     Bytes volume[16];
     glGetTexImage(GL_TEXTURE_3D, 0, GL_RGBA, GL_UNSIGNED_BYTE, volume);
     for (int slice = 0; slice < 4; ++slice) EXPECT_EQ(volume[4 * slice][1], slice + 1);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, names[1], 0, 2);
+    EXPECT_EQ(pixel_at(0, 0), (Bytes{0, 3, 0, 255}));
     EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_COMPLETE));
     glFramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_3D, names[1], 0, 4);
     EXPECT_EQ(status(), GLenum(GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT));

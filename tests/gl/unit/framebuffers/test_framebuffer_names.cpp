@@ -123,6 +123,8 @@ TEST(GlFramebuffers, WrongCallsSetErrors) {
     EXPECT_GL_ERROR(GL_INVALID_VALUE);
     glFramebufferTexture1D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_1D, texture, 0);
     EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, texture, 0, 0);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION);  // it has two dimensions
     glRenderbufferStorage(GL_RENDERBUFFER, GL_LUMINANCE, 4, 4);
     EXPECT_GL_ERROR(GL_INVALID_ENUM);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 8193, 4);
