@@ -78,12 +78,13 @@ bool is_offered(const ContextRequest& request) {
     return request.major == 1 && request.minor <= offered_minor();
 }
 
-/// The drawable of a name in MakeCurrent; null after an error.
+/// The drawable of a name in MakeCurrent; null after an error. All configurations of a screen have
+/// the same bits, so each of its contexts draws to each of its surfaces ([GLX 1.4] 2.1). A window
+/// without a surface gets one with the context's visual.
 std::shared_ptr<Surface> surface_of(Display* display, XID name, GLXContext context, int request) {
     const XVisualInfo& wanted = context->config.visual;
     if (auto known = find_surface(display, name)) {
-        const XVisualInfo& has = known->config().visual;
-        if (has.depth == wanted.depth && has.screen == wanted.screen) return known;
+        if (known->config().visual.screen == wanted.screen) return known;
         return send_error(display, BadMatch, name, request), nullptr;
     }
     const std::optional<x11::Geometry> window = x11::window_geometry(display, name);

@@ -111,6 +111,25 @@ TEST_F(GlxOffscreen, APbufferIsQueried) {
               std::vector<int>{BadAlloc});
 }
 
+/// [GLX 1.4] 2.1 compares the bits of OpenGL's buffers, which all visuals have here. Qt draws to
+/// pbuffers whose visual has another depth than its context's.
+TEST_F(GlxOffscreen, PbuffersOfAllVisualsMatchAContext) {
+    const GLXContext context =
+        glXCreateNewContext(display, config(true), GLX_RGBA_TYPE, nullptr, True);
+    int count = 0;
+    GLXFBConfig* const all = glXGetFBConfigs(display, DefaultScreen(display), &count);
+    for (int i = 0; i < count; ++i) {
+        const GLXPbuffer pbuffer = make_pbuffer(display, all[i], 8, 8);
+        EXPECT_TRUE(glXMakeContextCurrent(display, pbuffer, pbuffer, context)) << i;
+        clear_to(0, 1, 0);
+        EXPECT_EQ(read_pixel(7, 7), (std::array{0.0f, 1.0f, 0.0f, 1.0f})) << i;
+        glXMakeCurrent(display, 0, nullptr);
+        glXDestroyPbuffer(display, pbuffer);
+    }
+    XFree(all);
+    glXDestroyContext(display, context);
+}
+
 TEST_F(GlxOffscreen, OneDrawableIsDrawnToAndAnotherRead) {
     const GLXFBConfig with = config(true);
     const GLXPbuffer draw = make_pbuffer(display, with, 8, 8);
