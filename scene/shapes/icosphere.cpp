@@ -4,18 +4,19 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
 namespace gw::scene {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>;
+using NetTriangle = std::array<std::uint32_t, 3>;
 
 // Points on the unit sphere and the triangles between them.
 struct Net {
     std::vector<dvec3> points;
-    std::vector<Corners> triangles;
+    std::vector<NetTriangle> triangles;
 };
 
 // A pole, two rings of five, a pole.
@@ -48,7 +49,7 @@ Net divide(Net net) {
         if (is_new) net.points.push_back(glm::normalize(net.points[a] + net.points[b]));
         return found->second;
     };
-    std::vector<Corners> triangles;
+    std::vector<NetTriangle> triangles;
     for (const auto& [a, b, c] : net.triangles) {
         const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
         triangles.insert(triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
@@ -87,7 +88,7 @@ MeshData make_icosphere(double radius, int divisions) {
     for (int i = 0; i < divisions; ++i) net = divide(std::move(net));
     MeshData mesh;
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> vertices;  // by point and s
-    for (const Corners& corners : net.triangles) {
+    for (const NetTriangle& corners : net.triangles) {
         const auto s =
             corner_turns({net.points[corners[0]], net.points[corners[1]], net.points[corners[2]]});
         for (std::size_t k = 0; k < 3; ++k) {
