@@ -3,6 +3,7 @@
 #include "gw/error.h"
 #include "scene/text/suggest.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace gw::scene {
@@ -77,18 +78,44 @@ const Material* MaterialNames::find(std::string_view name) const {
     return found == by_name_.end() ? nullptr : found->second;
 }
 
-const Material& find_material(std::initializer_list<const MaterialNames*> lists,
-                              std::string_view name, const Origin& origin) {
-    if (name.empty()) return default_material();
+namespace {
+
+/// Null if there is none.
+const Material* known_material(std::initializer_list<const MaterialNames*> lists,
+                               std::string_view name) {
+    if (name.empty()) return &default_material();
     for (const MaterialNames* names : lists)
-        if (const Material* material = names->find(name)) return *material;
+        if (const Material* material = names->find(name)) return material;
+    return nullptr;
+}
+
+std::string unknown_material(std::initializer_list<const MaterialNames*> lists,
+                             std::string_view name) {
     std::vector<std::string> known;
     std::string missing;
     for (const MaterialNames* names : lists) {
         for (const Material& material : names->list()) known.push_back(material.name);
         if (!names->missing().empty()) missing += " (" + names->missing() + ")";
     }
-    throw Error(origin.file, origin.line, unknown("material", name, known) + missing);
+    return unknown("material", name, known) + missing;
+}
+
+}  // namespace
+
+const Material& find_material(std::initializer_list<const MaterialNames*> lists,
+                              std::string_view name, const Origin& origin) {
+    if (const Material* const material = known_material(lists, name)) return *material;
+    throw Error(origin.file, origin.line, unknown_material(lists, name));
+}
+
+const Material& material_of_faces(std::initializer_list<const MaterialNames*> lists,
+                                  std::string_view name, const Origin& origin, Warnings& warnings) {
+    if (const Material* const material = known_material(lists, name)) return *material;
+    // Without any material, all names of the file have one reason.
+    const bool none = std::ranges::all_of(lists, [](auto* names) { return names->list().empty(); });
+    warnings.add(origin.file, origin.line, none ? "usemtl" : "usemtl " + std::string(name),
+                 unknown_material(lists, name) + "; the default one stands in");
+    return default_material();
 }
 
 MeshRef make_numbered_mesh(MeshData data, std::uint32_t& next) {

@@ -62,6 +62,11 @@ private:
 const Material& find_material(std::initializer_list<const MaterialNames*> lists,
                               std::string_view name, const Origin& origin);
 
+/// The material that a file's faces name, as find_material does; if there is none, a warning, and the
+/// default one.
+const Material& material_of_faces(std::initializer_list<const MaterialNames*> lists,
+                                  std::string_view name, const Origin& origin, Warnings& warnings);
+
 /// Numbers the mesh's polygons (faces, segments, points) next, next + 1, ... in their order, moves
 /// `next` behind them and makes the mesh. Throws Error as make_mesh does.
 MeshRef make_numbered_mesh(MeshData data, std::uint32_t& next);

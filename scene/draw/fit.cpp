@@ -53,10 +53,11 @@ Light default_light(const Camera& camera) {
     return light;
 }
 
+bool glows(const Scene& scene) { return std::ranges::any_of(scene.materials, emits); }
+
 void add_defaults(Scene& scene, int width, int height) {
     if (!scene.camera) scene.camera = fit_camera(bounds(scene), width, height);
-    const bool glows = std::any_of(scene.materials.begin(), scene.materials.end(), emits);
-    if (scene.lights.empty() && !glows) scene.lights.push_back(default_light(*scene.camera));
+    if (scene.lights.empty() && !glows(scene)) scene.lights.push_back(default_light(*scene.camera));
 }
 
 Camera override_camera(Camera camera, const CameraOverrides& overrides) {

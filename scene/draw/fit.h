@@ -14,6 +14,9 @@ Camera fit_camera(const Bounds& bounds, int width, int height);
 /// A directional light over the viewer's left shoulder: Ia = 0.25, Id = Is = 0.8.
 Light default_light(const Camera& camera);
 
+/// Is anything in the scene a source of light?
+bool glows(const Scene& scene);
+
 /// Adds fit_camera to a scene without a camera, and default_light to one without lights in which
 /// nothing emits.
 void add_defaults(Scene& scene, int width, int height);

@@ -27,6 +27,8 @@ constexpr std::array obj_not_honoured = std::to_array<std::string_view>({
     "c_interp",   "d_interp",  "lod",  "mg",   "call", "csh",   "usemap", "maplib", "res",
     "shadow_obj", "trace_obj", "bsp",  "bzp",  "cdc",  "cdp",
 });
+// Other programs' additions: tags of subdivision, weights of joints. Too short to be suggested.
+constexpr std::array obj_additions = std::to_array<std::string_view>({"t", "vw"});
 
 // Each word of an mtllib may end a name, which is searched for in its folder.
 constexpr std::ptrdiff_t most_library_blanks = 1000;
@@ -76,7 +78,9 @@ private:
                 (this->*keyword.read)();
                 return true;
             }
-        if (std::ranges::find(obj_not_honoured, name) == obj_not_honoured.end()) return false;
+        if (std::ranges::find(obj_not_honoured, name) == obj_not_honoured.end() &&
+            std::ranges::find(obj_additions, name) == obj_additions.end())
+            return false;
         warn(name, std::string(name) + " statements are not drawn");
         return true;
     }
@@ -102,14 +106,37 @@ private:
         constexpr std::string_view form = "v x y z, v x y z w, v x y z r g b or v x y z r g b a";
         std::array<float, 7> n{0, 0, 0, 1, 1, 1, 1};
         ObjData& obj = build_.obj;
-        const auto read = numbers(n, obj.positions.size(), obj.bad_positions, form);
+        auto read = numbers(n, obj.positions.size(), obj.bad_positions, form);
+        if (!read && is_place_with_color(in_.rest())) {
+            obj.bad_positions.pop_back();
+            warn("colour", color_warning);
+            read = read_numbers(in_, place_of(in_.rest()), n, form);
+        }
         const std::size_t count = read.value_or(3);
         if (count < 3 || count == 5) fail_count(in_, count, form);
         if (count == 4 && n[3] != 1) warn("w", "the weight w of v is not used");
         obj.positions.push_back(read ? place(n) : vec3(0));
+        if (count >= 6 && vec3(n[3], n[4], n[5]) != vec3(1)) warn("colour", color_warning);
         if (count < 6 && obj.colors.empty()) return;
         obj.colors.resize(obj.positions.size(), vec4(1, 1, 1, 1));
         if (count >= 6) obj.colors.back() = {n[3], n[4], n[5], n[6]};
+    }
+
+    static constexpr std::string_view color_warning =
+        "colours of v are not drawn; expected them in a map (map_Kd)";
+
+    /// x y z alone.
+    static std::string_view place_of(std::string_view text) {
+        std::string_view rest = text;
+        for (int k = 0; k < 3; ++k) take_word(rest);
+        return text.substr(0, text.size() - rest.size());
+    }
+    /// Is x y z finite, and followed by a colour?
+    static bool is_place_with_color(std::string_view text) {
+        std::string_view rest = text.substr(place_of(text).size());
+        int words = 0;
+        while (!take_word(rest).empty()) ++words;
+        return (words == 3 || words == 4) && !not_finite(place_of(text), {});
     }
 
     /// The position as far from the file's origin as in the text.
@@ -204,7 +231,7 @@ private:
         for (Material& material : read_mtl(path, warnings_))
             materials_.push_back(std::move(material));
     }
-    /// An error only where a material is not found: a scene may bring its own, or no face has one.
+    /// No error: a scene may bring its own materials, or the default one stands in.
     void missing(std::string_view name) {
         const std::string text = "mtllib '" + printable(name) + "' " + std::string(not_there);
         if (missing_.empty()) missing_ = "line " + std::to_string(in_.line()) + ": " + text;

@@ -1,5 +1,6 @@
 #include "scene/toml/read_scene.h"
 
+#include "scene/draw/fit.h"
 #include "scene/geometry/far.h"
 #include "scene/geometry/transform.h"
 #include "scene/gltf/read_gltf.h"
@@ -13,6 +14,11 @@
 namespace gw::scene {
 namespace {
 
+/// MTL has no lights, so a lamp that glows in a model does not mean that nothing else is lit.
+void light_glowing(Scene& scene) {
+    if (glows(scene)) scene.lights.push_back(default_light(fit_camera(bounds(scene), 4, 3)));
+}
+
 SceneFile read_bare_obj(const std::filesystem::path& path) {
     Warnings warnings;
     ObjFile file = read_obj(path, {}, warnings);
@@ -20,14 +26,15 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     SceneBuilder builder;
     builder.scene.name = path.stem().string();
     for (ObjPart& part : file.parts) {
-        const Material& material =
-            find_material({&materials}, part.material, {file.file, part.material_line});
+        const Material& material = material_of_faces({&materials}, part.material,
+                                                     {file.file, part.material_line}, warnings);
         builder.add({.name = part.name, .world_from_object = translation(file.origin)},
                     std::move(part.mesh), material, {file.file, 0});
     }
     warn_invisible(builder.scene, path.string(), warnings);
     const dvec3 origin = far_origin(builder.scene);
     if (origin != dvec3(0)) count_from(builder.scene, origin);
+    light_glowing(builder.scene);
     return {std::move(builder.scene), warnings.lines(), {}, warnings.files(), origin};
 }
 

@@ -259,8 +259,8 @@ const Material& TomlObjects::material_of(ObjectTable& object, const SourceFile* 
             const Material* const replaced = library_.find(part->own->name);
             return replaced ? *replaced : *part->own;
         }
-        return find_material({&library_, &own}, part->material,
-                             {source->file, part->material_line});
+        return material_of_faces({&library_, &own}, part->material,
+                                 {source->file, part->material_line}, warnings_);
     };
     const TomlValue* const value = object.material;
     if (!value) return base();

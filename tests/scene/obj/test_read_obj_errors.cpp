@@ -104,19 +104,7 @@ TEST_F(ObjError, UnknownStatements) {
     EXPECT_EQ(after_triangle("s -1"), "m.obj:4: s has '-1'; expected off, on or a number from 0");
 }
 
-TEST_F(ObjError, UnknownMaterials) {
-    const std::string text = triangle + "usemtl rde\nf 1 2 3\n";
-    EXPECT_EQ(folder.scene_error("a.obj", text), "a.obj:4: unknown material 'rde'; none is known");
-    folder.write("m.mtl", "newmtl blue\nnewmtl red\n");
-    EXPECT_EQ(folder.scene_error("a.obj", "mtllib m.mtl\n" + text),
-              "a.obj:5: unknown material 'rde'; the nearest known is 'red'");
-}
-
-TEST_F(ObjError, MissingLibraries) {
-    EXPECT_EQ(
-        folder.scene_error("a.obj", "mtllib no such.mtl\n" + triangle + "usemtl red\nf 1 2 3\n"),
-        "a.obj:5: unknown material 'red'; none is known (line 1: mtllib 'no such.mtl' does not "
-        "exist)");
+TEST_F(ObjError, Libraries) {
     EXPECT_EQ(folder.obj_error("mtllib\n"), "m.obj:1: mtllib names no file; expected one or more");
     std::filesystem::create_directory(folder.path() / "d");
     EXPECT_EQ(folder.obj_error("mtllib d\n"),

@@ -236,9 +236,6 @@ TEST_F(TomlError, Materials) {
         "s.toml:2: material.m.map_Kd is 1; expected a file name, a table with one, or an array of these");
     EXPECT_EQ(fault("mtllib = 'no.mtl'\n"),
               "s.toml:1: mtllib 'no.mtl' does not exist; expected an MTL file");
-    folder.write("u.obj", triangle + "usemtl gren\nf 1 2 3\n");
-    EXPECT_EQ(fault("[[object]]\nfile = 'u.obj'\n[material.green]\n"),
-              "u.obj:4: unknown material 'gren'; the nearest known is 'green'");
 }
 
 TEST_F(TomlError, ErrorsInItsFilesNameThem) {
