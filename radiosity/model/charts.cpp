@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gw::radiosity {
 namespace {
@@ -42,6 +43,13 @@ public:
             found.push_back(grow(t, static_cast<std::uint32_t>(found.size())));
         }
         return found;
+    }
+
+    Chart of(std::vector<std::uint32_t> triangles) {
+        for (const std::uint32_t t : triangles) chart_[t] = 0;
+        Chart chart{.triangles = std::move(triangles)};
+        finish(chart, chart.triangles.front(), 0);
+        return chart;
     }
 
 private:
@@ -127,5 +135,9 @@ private:
 }  // namespace
 
 std::vector<Chart> charts(const Surface& surface) { return Charts(surface).all(); }
+
+Chart chart_of(const Surface& surface, std::vector<std::uint32_t> triangles) {
+    return Charts(surface).of(std::move(triangles));
+}
 
 }  // namespace gw::radiosity

@@ -45,4 +45,7 @@ struct Chart {
 /// and they are within 40 degrees of the chart's first. Triangles without area are in none.
 std::vector<Chart> charts(const Surface& surface);
 
+/// A chart of some triangles of a chart.
+Chart chart_of(const Surface& surface, std::vector<std::uint32_t> triangles);
+
 }  // namespace gw::radiosity

@@ -72,7 +72,7 @@ void join_elements(PixmapModel& model) {
 void refuse_overlap(const PixmapModel& model, const std::vector<double>& share) {
     for (const Pixmap& pixmap : model.pixmaps)
         for (std::size_t i = 0; i < pixmap.count(); ++i) {
-            if (share[pixmap.first + i] <= 1 + 1e-3) continue;
+            if (share[pixmap.first + i] <= most_share) continue;
             const auto width = std::size_t(pixmap.width);
             throw Error(fmt::format(
                 "pixmap '{}': figures cover texel ({}, {}) {:.3f} times; expected ST that cover it once",

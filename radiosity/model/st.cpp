@@ -1,11 +1,13 @@
 // The ST of figures [F2, F2.1]. Automatic ones are a projection for each chart. Given ones may be
 // rotated, sheared, mirrored or triangular, with several figures in one pixmap.
 #include "radiosity/model/model_builder.h"
+#include "radiosity/model/texel_parts.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gw::radiosity {
 namespace {
@@ -42,7 +44,13 @@ Extent extent_of(const Surface& surface, const Chart& chart, const dvec3& zero, 
     return e;
 }
 
-void add_chart(ModelBuilder& builder, const Chart& chart, const std::string& name) {
+/// The pixmap of a chart, and the map to its texels.
+struct Projection {
+    int width = 0, height = 0;
+    Facet map;
+};
+
+Projection projection_of(const ModelBuilder& builder, const Chart& chart) {
     const Surface& surface = builder.surface();
     const dvec3 along = chart.along, up = cross3(chart.normal, along);
     const dvec3& zero = surface.points[surface.triangles[chart.triangles.front()][0]];
@@ -51,10 +59,60 @@ void add_chart(ModelBuilder& builder, const Chart& chart, const std::string& nam
     const scene::PixmapChoice& choice = builder.object().pixmap;
     const int width = choice.width ? choice.width : builder.texels(size.x),
               height = choice.height ? choice.height : builder.texels(size.y);
-    const std::uint32_t figure = builder.add_figure(builder.add_pixmap(name, width, height));
     const dvec3 corner = zero + (extent.low.x * along + extent.low.y * up);
-    const Facet map =
-        facet_along(corner, along * (size.x / width), up * (size.y / height), chart.normal);
+    return {width, height,
+            facet_along(corner, along * (size.x / width), up * (size.y / height), chart.normal)};
+}
+
+/// Triangles of a chart that cover texels of its pixmap which those before them fill: of doubled
+/// faces, spirals and folds.
+std::vector<std::uint32_t> overlapping(const ModelBuilder& builder, const Chart& chart) {
+    const auto [width, height, map] = projection_of(builder, chart);
+    Pixmap pixmap;
+    pixmap.width = width;
+    pixmap.height = height;
+    std::vector<double> share(pixmap.count());
+    std::vector<std::uint32_t> over;
+    std::vector<std::pair<std::size_t, double>> parts;
+    for (const std::uint32_t t : chart.triangles) {
+        parts.clear();
+        bool fits = true;
+        for_each_part(
+            mapped(map, builder.corners(t)), pixmap, [&](int x, int y, const Polygon2& part) {
+                const std::size_t texel = std::size_t(y) * std::size_t(width) + std::size_t(x);
+                parts.emplace_back(texel, area(part));
+                fits = fits && share[texel] + area(part) <= most_share;
+            });
+        if (!fits) {
+            over.push_back(t);
+            continue;
+        }
+        for (const auto& [texel, covered] : parts) share[texel] += covered;
+    }
+    return over;
+}
+
+/// In charts that cover no texel twice.
+std::vector<Chart> flat_charts(const ModelBuilder& builder) {
+    const Surface& surface = builder.surface();
+    std::vector<Chart> found = charts(surface);
+    for (std::size_t i = 0; i < found.size();) {
+        std::vector<std::uint32_t> over = overlapping(builder, found[i]);
+        if (over.empty()) {
+            ++i;
+            continue;
+        }
+        std::vector<std::uint32_t> rest;
+        std::ranges::set_difference(found[i].triangles, over, std::back_inserter(rest));
+        found[i] = chart_of(surface, std::move(rest));
+        found.insert(found.begin() + std::ptrdiff_t(i) + 1, chart_of(surface, std::move(over)));
+    }
+    return found;
+}
+
+void add_chart(ModelBuilder& builder, const Chart& chart, const std::string& name) {
+    const auto [width, height, map] = projection_of(builder, chart);
+    const std::uint32_t figure = builder.add_figure(builder.add_pixmap(name, width, height));
     chart.planar ? add_planar(builder, chart, map, figure)
                  : add_curved(builder, chart, map, figure);
 }
@@ -142,7 +200,7 @@ private:
 }  // namespace
 
 void add_automatic(ModelBuilder& builder) {
-    const std::vector<Chart> found = charts(builder.surface());
+    const std::vector<Chart> found = flat_charts(builder);
     if (found.empty()) builder.fail_without_area();
     const std::string& name = builder.object().name;
     for (std::size_t i = 0; i < found.size(); ++i)

@@ -11,6 +11,9 @@
 
 namespace gw::radiosity {
 
+/// What may cover a texel, in texels: once, and rounding.
+inline constexpr double most_share = 1 + 1e-3;
+
 /// The first and last texel that [low, high] touches.
 inline std::pair<int, int> touched(double low, double high, int count) {
     const int first = std::clamp(static_cast<int>(std::floor(low)), 0, count - 1);
