@@ -14,6 +14,7 @@ const MappedMesh* map_of(const Step& step, const Part& part) {
 void set_fog(State& state, PassFog fog, const scene::Scene& scene) {
     if (fog == PassFog::None || !scene.fog) return;
     const scene::Fog& f = *scene.fog;
+    if (f.mode != FogMode::Linear && f.density == 0) return;  // the machine has no fog of density 0
     const vec3 color = fog == PassFog::Black ? vec3(0) : f.color;
     state.fog = {.enable = true,
                  .mode = f.mode,

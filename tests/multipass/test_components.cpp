@@ -126,5 +126,14 @@ TEST(Components, DimFogBehindAPane) {
     EXPECT_NEAR(fog_in(images_of(s, {})), fog_in(images_of(bare, {})) / 2, 1);
 }
 
+TEST(Components, FogOfDensity0ChangesNothing) {
+    scene::Scene s = wall_behind_panes(1);
+    const auto bare = picture_of(s, {});
+    for (const FogMode mode : {FogMode::Exp, FogMode::Exp2}) {
+        s.fog = scene::Fog{.mode = mode, .color = vec3(1), .density = 0};
+        EXPECT_EQ(picture_of(s, {}), bare);
+    }
+}
+
 }  // namespace
 }  // namespace gw::multipass
