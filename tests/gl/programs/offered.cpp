@@ -26,6 +26,7 @@ constexpr Case cases[] = {
     {"glBeginQuery", "GL_ARB_occlusion_query", 1.5},
     {"glGenBuffers", "GL_ARB_vertex_buffer_object", 1.5},
     {"glGenFramebuffers", "GL_ARB_framebuffer_object", 1.5},
+    {"glFramebufferTextureLayer", "GL_ARB_framebuffer_object", 1.5},
 };
 
 bool has_word(std::string_view words, std::string_view word) {
