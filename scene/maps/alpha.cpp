@@ -63,14 +63,16 @@ TextureRef with_alpha_of(const Texture& from, OpacityChannel channel) {
 AlphaRange alpha_of(const Texture& texture) {
     std::uint16_t low = one, high = 0;
     double sum = 0;
+    std::size_t between = 0;
     const TexelValues& rgba = texture.levels.front().rgba;
     for (std::size_t i = alpha; i < rgba.size(); i += 4) {
         low = std::min(low, rgba[i]);
         high = std::max(high, rgba[i]);
         sum += rgba[i];
+        between += rgba[i] >= one / 16 && rgba[i] <= one - one / 16;
     }
-    const double whole = one;
-    return {low / whole, high / whole, sum / (whole * double(rgba.size() / 4))};
+    const double whole = one, count = double(rgba.size() / 4);
+    return {low / whole, high / whole, sum / (whole * count), double(between) / count};
 }
 
 TextureRef OpaqueTextures::of(const TextureRef& texture) {

@@ -10,7 +10,10 @@ namespace gw::scene {
 /// Of a texture's texels.
 struct AlphaRange {
     double low = 1, high = 1, mean = 1;
+    double between = 0;  ///< share of those from 1/16 to 15/16
     bool is_even() const { return low == high; }
+    /// Whether it hides or shows, but for edges.
+    bool is_mask() const { return low < high && between < 0.1; }
 };
 AlphaRange alpha_of(const Texture& texture);
 

@@ -32,7 +32,7 @@ public:
         for (Object& object : scene_.objects) {
             std::vector<Portion> portions = portions_of(object);
             if (portions.size() > 1 && objects.size() + portions.size() > most_objects) {
-                warn_budget(object);
+                warn_budget(object, "drawn with one opacity");
                 portions = whole(object, 1);
             }
             for (const Portion& portion : portions) {
@@ -65,16 +65,24 @@ private:
         const Material& m = material(object.material);
         const Map* const map = opacity_map(object);
         const AlphaRange alpha = map ? alpha_in(map->texture) : AlphaRange{};
-        const OpacityLevels levels = m.d_cutoff ? mask_levels(double(*m.d_cutoff)) : blend_levels();
+        OpacityLevels levels = m.d_cutoff ? mask_levels(double(*m.d_cutoff)) : blend_levels();
         const ColorUse use = m.vertex_d ? ColorUse::Opacity : ColorUse::Color;
         const bool has_colors = m.vertex_d && !object.mesh->data().colors.empty();
         const bool is_even = alpha.is_even() && !has_colors;
         if (is_even || object.mesh->kind() != MeshKind::Triangles)
             return whole(object, m.d_cutoff ? levels.values[levels.of(alpha.mean)] : alpha.mean);
-        const auto meshes =
-            cut_by_opacity(*object.mesh, alpha.low == 1 ? nullptr : map, use, levels, budget_);
+        const auto try_levels = [&] {
+            return cut_by_opacity(*object.mesh, alpha.low == 1 ? nullptr : map, use, levels,
+                                  budget_);
+        };
+        auto meshes = try_levels();
+        if (!meshes && !m.d_cutoff && alpha.is_mask()) {
+            levels = mask_levels(0.5);
+            meshes = try_levels();
+            if (meshes) warn_budget(object, "cut at 0.5");
+        }
         if (!meshes) {
-            warn_budget(object);
+            warn_budget(object, "drawn with one opacity");
             return whole(object, m.d_cutoff ? 1 : alpha.mean);
         }
         std::vector<Portion> portions;
@@ -127,15 +135,15 @@ private:
         for_each_color_map(m, [&](Map& map) { map.texture = opaque_.of(map.texture); });
     }
 
-    void warn_budget(const Object& object) {
+    void warn_budget(const Object& object, const std::string& instead) {
         const Material& m = material(object.material);
         const std::string& file = m.map_d.empty() ? scene_.name : m.map_d[0].origin.file;
         warnings_.add(file, 0, "opacity",
                       "object '" + printable(object.name) +
                           "': its opacity would cut the scene into more than " +
                           std::to_string(CutBudget{}.triangles) + " triangles or " +
-                          std::to_string(most_objects) +
-                          " objects; expected fewer, so it is drawn with one opacity");
+                          std::to_string(most_objects) + " objects; expected fewer, so it is " +
+                          instead);
     }
 
     Scene& scene_;

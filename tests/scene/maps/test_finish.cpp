@@ -175,6 +175,30 @@ TEST(Finish, TooFineAnOpacityIsOneWarning) {
     EXPECT_NEAR(opacities(scene)[0], 0.5, 0.01);
 }
 
+TEST(Finish, TooFineAMaskIsCutAtOneHalf) {
+    constexpr int side = 512, period = 8;  // a hole of 2x2 texels in each 8x8
+    std::vector<double> alpha(side * side, 1);
+    const auto is_in_hole = [](int i) { return i % period == 2 || i % period == 3; };
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            if (is_in_hole(x) && is_in_hole(y)) alpha[std::size_t(y * side + x)] = 0;
+    Scene scene = leaf(texture(side, side, alpha));
+    EXPECT_EQ(
+        finished(scene),
+        (std::vector<std::string>{
+            "leaf.gltf: object 'square': its opacity would cut the scene into more than 1048576 "
+            "triangles or 1000000 objects; expected fewer, so it is cut at 0.5"}));
+    ASSERT_EQ(opacities(scene), std::vector<float>{1});
+    double area = 0;
+    const std::vector<vec3>& at = scene.objects[0].mesh->data().positions;
+    for (std::size_t i = 0; i + 2 < at.size(); i += 3)
+        area += glm::length(glm::cross(dvec3(at[i + 1] - at[i]), dvec3(at[i + 2] - at[i]))) / 2;
+    // Between the middles of texels: all of the square in a hole, half of the four at its sides, a
+    // sixth of the four at its corners.
+    const double hole = 1 + 4 * (1.0 / 2) + 4 * (1.0 / 6);
+    EXPECT_NEAR(1 - area, hole / (period * period), 1e-5);
+}
+
 TEST(Finish, MirroredMapsHoldTheirMirrorImage) {
     Scene scene = leaf(texture(2, 2, {0.1, 0.2, 0.3, 0.4}));
     scene.materials[0].map_d.clear();
