@@ -114,7 +114,9 @@ TEST(MasksAndSides, AMapOfOpacityIsTheWallsOfItsOpacities) {
                     EXPECT_EQ(cut[i], expected) << renderer.name << x << " " << y;
             }
         const bool blends = left[side / 2 * side + 14] != right[side / 2 * side + 33];
-        if (blends) EXPECT_GT(steps, 20u) << renderer.name;
+        if (blends) {
+            EXPECT_GT(steps, 20u) << renderer.name;
+        }
     }
 }
 
