@@ -67,10 +67,10 @@ Projection projection_of(const ModelBuilder& builder, const Chart& chart) {
 /// Triangles of a chart that cover texels of its pixmap which those before them fill: of doubled
 /// faces, spirals and folds.
 std::vector<std::uint32_t> overlapping(const ModelBuilder& builder, const Chart& chart) {
-    const auto [width, height, map] = projection_of(builder, chart);
+    const Projection onto = projection_of(builder, chart);
     Pixmap pixmap;
-    pixmap.width = width;
-    pixmap.height = height;
+    pixmap.width = onto.width;
+    pixmap.height = onto.height;
     std::vector<double> share(pixmap.count());
     std::vector<std::uint32_t> over;
     std::vector<std::pair<std::size_t, double>> parts;
@@ -78,8 +78,8 @@ std::vector<std::uint32_t> overlapping(const ModelBuilder& builder, const Chart&
         parts.clear();
         bool fits = true;
         for_each_part(
-            mapped(map, builder.corners(t)), pixmap, [&](int x, int y, const Polygon2& part) {
-                const std::size_t texel = std::size_t(y) * std::size_t(width) + std::size_t(x);
+            mapped(onto.map, builder.corners(t)), pixmap, [&](int x, int y, const Polygon2& part) {
+                const std::size_t texel = std::size_t(y) * std::size_t(onto.width) + std::size_t(x);
                 parts.emplace_back(texel, area(part));
                 fits = fits && share[texel] + area(part) <= most_share;
             });
@@ -103,7 +103,9 @@ std::vector<Chart> flat_charts(const ModelBuilder& builder) {
             continue;
         }
         std::vector<std::uint32_t> rest;
-        std::ranges::set_difference(found[i].triangles, over, std::back_inserter(rest));
+        const std::vector<std::uint32_t>& all = found[i].triangles;
+        std::set_difference(all.begin(), all.end(), over.begin(), over.end(),
+                            std::back_inserter(rest));
         found[i] = chart_of(surface, std::move(rest));
         found.insert(found.begin() + std::ptrdiff_t(i) + 1, chart_of(surface, std::move(over)));
     }
