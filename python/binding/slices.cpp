@@ -19,7 +19,8 @@ constexpr double triangle_cost = 64;
 
 SlicedMachine::SlicedMachine(std::unique_ptr<Machine> machine, bool reference, int width,
                              int height)
-    : machine_(std::move(machine)),
+    : ForwardingMachine(*machine),
+      machine_(std::move(machine)),
       width_(width),
       height_(height),
       most_(reference ? first_slice_reference : first_slice_fast) {}

@@ -2,7 +2,7 @@
 // counters and digests are those of the whole list.
 #pragma once
 
-#include "gw/machine.h"
+#include "inspect/replay/forwarding_machine.h"
 
 #include <functional>
 #include <memory>
@@ -12,7 +12,7 @@ namespace gw::python {
 /// Throws what ends the work; may do nothing.
 using Stop = std::function<void()>;
 
-class SlicedMachine : public Machine {
+class SlicedMachine : public inspect::ForwardingMachine {
 public:
     SlicedMachine(std::unique_ptr<Machine> machine, bool reference, int width, int height);
 
@@ -22,14 +22,6 @@ public:
     std::vector<CommandList>* kept = nullptr;
 
     void execute(const CommandList& list) override;
-    const Planes& planes() override { return machine_->planes(); }
-    const std::vector<PassReport>& passes() override { return machine_->passes(); }
-    void reset_passes() override { machine_->reset_passes(); }
-    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_->readbacks(); }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
-        machine_->read_into(key, values, layout);
-    }
-    const Profile& profile() const override { return machine_->profile(); }
 
 private:
     /// About how long a command takes, in pixels.

@@ -2,28 +2,21 @@
 #pragma once
 
 #include "inspect/compare/compare_machines.h"
+#include "inspect/replay/forwarding_machine.h"
 
 namespace gw::inspect {
 
 using Fault = std::function<void(Command&)>;
 
-class WrongMachine : public Machine {
+class WrongMachine : public ForwardingMachine {
 public:
     WrongMachine(std::unique_ptr<Machine> machine, Fault fault)
-        : machine_(std::move(machine)), fault_(std::move(fault)) {}
+        : ForwardingMachine(*machine), machine_(std::move(machine)), fault_(std::move(fault)) {}
     void execute(const CommandList& list) override {
         CommandList wrong = list;
         for (Command& command : wrong.commands) fault_(command);
-        machine_->execute(wrong);
+        ForwardingMachine::execute(wrong);
     }
-    const Planes& planes() override { return machine_->planes(); }
-    const std::vector<PassReport>& passes() override { return machine_->passes(); }
-    void reset_passes() override { machine_->reset_passes(); }
-    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_->readbacks(); }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
-        machine_->read_into(key, values, layout);
-    }
-    const Profile& profile() const override { return machine_->profile(); }
 
 private:
     std::unique_ptr<Machine> machine_;

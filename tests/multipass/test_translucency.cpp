@@ -2,6 +2,7 @@
 // hand.
 #include "gw/base/arithmetic.h"
 #include "gw/error.h"
+#include "inspect/replay/forwarding_machine.h"
 #include "multipass/effects/translucency.h"
 #include "multipass/frame/driver.h"
 #include "tests/multipass/scenes.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 
 namespace gw::multipass {
 namespace {
@@ -211,30 +211,6 @@ TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
     }
 }
 
-/// Executes all lists it gets, and keeps them as one.
-class Gatherer final : public Machine {
-public:
-    void execute(const CommandList& list) override {
-        all.append(list);
-        longest = std::max(longest, list.commands.size());
-        machine_->execute(list);
-    }
-    const Planes& planes() override { return machine_->planes(); }
-    const std::vector<PassReport>& passes() override { return machine_->passes(); }
-    void reset_passes() override { machine_->reset_passes(); }
-    const std::map<std::uint32_t, Readback>& readbacks() override { return machine_->readbacks(); }
-    void read_into(std::uint32_t key, std::span<std::uint32_t> values, ReadLayout layout) override {
-        machine_->read_into(key, values, layout);
-    }
-    const Profile& profile() const override { return machine_->profile(); }
-
-    CommandList all;
-    std::size_t longest = 0;
-
-private:
-    std::unique_ptr<Machine> machine_ = make_fast(vgx(), size, size);
-};
-
 TEST(Translucency, OfManyPiecesComesInSeveralLists) {
     constexpr int pieces = 35'000;
     Stack stack = Stack().add({0, 0, 0.5f}, 1);
@@ -252,14 +228,19 @@ TEST(Translucency, OfManyPiecesComesInSeveralLists) {
         stack.s.materials.push_back(
             {.Ka = vec3(0), .Kd = vec3(0), .Ke = k ? vec3(1, 0, 0) : vec3(0, 1, 0), .d = 0.125f});
     }
-    Gatherer in_parts;
-    render(in_parts, stack.s, scene::make_view(stack.s, size, size), {});
-    const auto at_once = make_fast(vgx(), size, size);
-    at_once->execute(in_parts.all);
-    EXPECT_GT(in_parts.all.commands.size(), std::size_t{4 * pieces});
-    EXPECT_LT(in_parts.longest, std::size_t{1 << 16} + 16);
-    EXPECT_TRUE(in_parts.planes() == at_once->planes());
-    EXPECT_TRUE(in_parts.passes() == at_once->passes());
+    const auto in_parts = make_fast(vgx(), size, size), at_once = make_fast(vgx(), size, size);
+    std::vector<CommandList> lists;
+    inspect::Recorder recorder(*in_parts, lists);
+    render(recorder, stack.s, scene::make_view(stack.s, size, size), {});
+    CommandList all;
+    for (const CommandList& list : lists) {
+        EXPECT_LT(list.commands.size(), std::size_t{1 << 16} + 16);
+        all.append(list);
+    }
+    at_once->execute(all);
+    EXPECT_GT(all.commands.size(), std::size_t{4 * pieces});
+    EXPECT_TRUE(in_parts->planes() == at_once->planes());
+    EXPECT_TRUE(in_parts->passes() == at_once->passes());
 }
 
 TEST(Layers, CountAllFacesAPixelShows) {
