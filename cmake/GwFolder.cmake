@@ -52,7 +52,7 @@ function(gw_position_independent target)
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# gw_batch(TARGET): compiles its sources sixteen at a time (CMake's unity build), so that sixteen
+# gw_batch(TARGET): compiles its sources 32 at a time (CMake's unity build), so that they
 # share the work of headers and templates. A source that defines macros is compiled alone: Highway's
 # kernels, and sources that configure a library. Within a batch, names in anonymous namespaces must
 # differ.
@@ -60,7 +60,7 @@ function(gw_batch target)
     if(NOT GW_BATCHES)
         return()
     endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 16)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 32)
     target_compile_options(${target} PRIVATE ${gw_batch_options})
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
@@ -84,7 +84,7 @@ function(gw_defines_macros path result)
 endfunction()
 
 # gw_batch_tests(TARGET VARIABLE): replaces the files test_*.cpp in the list VARIABLE by sources
-# that hold sixteen of them each, made by batch_tests.cmake. Names of two files do not meet there.
+# that hold 32 of them each, made by batch_tests.cmake. Names of two files do not meet there.
 function(gw_batch_tests target variable)
     if(NOT GW_BATCHES)
         return()
@@ -101,7 +101,7 @@ function(gw_batch_tests target variable)
             list(APPEND batch ${source})
         endif()
         list(LENGTH batch length)
-        if(length EQUAL 16 OR (source STREQUAL end AND length GREATER 0))
+        if(length EQUAL 32 OR (source STREQUAL end AND length GREATER 0))
             math(EXPR count "${count} + 1")
             set(output ${CMAKE_CURRENT_BINARY_DIR}/batches/${target}_${count}.cpp)
             list(JOIN batch "," joined)

@@ -21,7 +21,7 @@ int muted = 0;
     throw Error("standard output: cannot be written: " + std::string(std::strerror(errno)));
 }
 
-void put(std::string_view text) {
+void write_out(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail();
 }
 
@@ -50,8 +50,8 @@ SilenceStdout::~SilenceStdout() { --muted; }
 void print(std::string_view text) {
     if (muted > 0) return;
     const auto is_plain = [](char c) { return (c >= ' ' && c <= '~') || c == '\n' || c == '\t'; };
-    if (std::all_of(text.begin(), text.end(), is_plain)) return put(text);  // needs no memory
-    put(without_controls(text));
+    if (std::all_of(text.begin(), text.end(), is_plain)) return write_out(text);  // needs no memory
+    write_out(without_controls(text));
 }
 
 void flush_output() {

@@ -10,7 +10,7 @@ namespace gw::conformance {
 namespace {
 
 /// A side, mostly small, seldom a few tiles of 64, so that a list stays cheap.
-int any_side(Random& r) {
+int any_window_side(Random& r) {
     const int kind = r.below(100);
     if (kind < 6) return 1;
     if (kind < 20) return r.between(1, 9);
@@ -79,8 +79,8 @@ Profile any_profile(Random& r) { return r.chance(70) ? r.pick(paper_profiles()) 
 
 Script script(Random& random, const Profile& profile) {
     Script s{random, {profile}};
-    s.out.width = any_side(random);
-    s.out.height = s.out.width > 110 ? random.between(1, 150) : any_side(random);
+    s.out.width = any_window_side(random);
+    s.out.height = s.out.width > 110 ? random.between(1, 150) : any_window_side(random);
     s.frame = any_frame(random, s.out.width, s.out.height, profile.subpixel_bits);
     s.state.projection = s.frame.projection;
     if (random.chance(90)) {

@@ -1,5 +1,7 @@
 #include "hiddensurface/faces/face.h"
 
+#include "hiddensurface/model/floor_div.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -109,11 +111,6 @@ Face make_face(const Input& input, std::size_t polygon, std::vector<GridPoint> o
         face.farthest = std::max(face.farthest, p.z);
     }
     return face;
-}
-
-/// Floor of a / b, b > 0.
-std::int64_t floor_div(std::int64_t a, std::int64_t b) {
-    return a >= 0 ? a / b : -((-a + b - 1) / b);
 }
 
 }  // namespace

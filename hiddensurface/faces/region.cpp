@@ -1,16 +1,13 @@
 #include "hiddensurface/faces/region.h"
 
+#include "hiddensurface/model/floor_div.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace gw::hiddensurface {
 namespace {
-
-int128 floor_div(int128 a, int128 b) {
-    const int128 q = a / b;
-    return q * b > a ? q - 1 : q;
-}
 
 std::size_t before(const Contour& contour, std::size_t k) {
     return contour[k == 0 ? contour.size() - 1 : k - 1];

@@ -1,14 +1,11 @@
 #include "hiddensurface/model/scan_conversion.h"
 
+#include "hiddensurface/model/floor_div.h"
+
 #include <algorithm>
 
 namespace gw::hiddensurface {
 namespace {
-
-/// Floor of a / b, b > 0.
-std::int64_t floor_div(std::int64_t a, std::int64_t b) {
-    return a >= 0 ? a / b : -((-a + b - 1) / b);
-}
 
 /// The highest row whose centre is not above y.
 int top_row(std::int64_t y, int s) {

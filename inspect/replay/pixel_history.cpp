@@ -117,15 +117,14 @@ void observe(const Recording& recording, Observer& observer, std::uint32_t surfa
     Player(recording, *machine).play();
 }
 
+std::string value_text(const auto& v) { return fmt::to_string(v); }
 template <typename T>
-std::string text(const std::array<T, 4>& v) {
-    return fmt::format("{}", fmt::join(v, " "));
+std::string value_text(const std::array<T, 4>& v) {
+    return fmt::to_string(fmt::join(v, " "));
 }
-std::string text(std::uint32_t v) { return std::to_string(v); }
-std::string text(std::uint8_t v) { return std::to_string(v); }
 
 std::string change(const auto& before, const auto& after) {
-    return before == after ? text(before) : text(before) + " > " + text(after);
+    return before == after ? value_text(before) : value_text(before) + " > " + value_text(after);
 }
 
 /// A colour that changes, or the index that it is.
@@ -283,16 +282,17 @@ std::vector<std::vector<std::string>> history_rows(const std::vector<PixelEvent>
     if (called) rows[0].push_back("call");
     for (const PixelEvent& e : events) {
         const auto& f = e.fragment;
-        rows.push_back({e.pass_name, std::to_string(e.command), optional_text(e.draw),
-                        f ? text(f->primitive) : "-", optional_text(e.polygon), outcome(e),
-                        f ? e.map != nullptr ? index_text(*e.map, f->color) : text(f->color) : "-",
-                        f ? text(f->depth) : "-", color_change(e, e.before.color, e.after.color),
-                        change(e.before.depth, e.after.depth),
-                        change(e.before.stencil, e.after.stencil)});
+        rows.push_back(
+            {e.pass_name, std::to_string(e.command), optional_text(e.draw),
+             f ? std::to_string(f->primitive) : "-", optional_text(e.polygon), outcome(e),
+             f ? e.map != nullptr ? index_text(*e.map, f->color) : value_text(f->color) : "-",
+             f ? std::to_string(f->depth) : "-", color_change(e, e.before.color, e.after.color),
+             change(e.before.depth, e.after.depth), change(e.before.stencil, e.after.stencil)});
         if (back) rows.back().push_back(color_change(e, e.before.back, e.after.back));
         if (accum) rows.back().push_back(change(e.before.accum, e.after.accum));
-        if (smooth) rows.back().push_back(f && f->coverage != 0 ? text(f->coverage) : "-");
-        if (sampled) rows.back().push_back(f ? text(std::uint32_t(f->sample)) : "-");
+        if (smooth)
+            rows.back().push_back(f && f->coverage != 0 ? std::to_string(f->coverage) : "-");
+        if (sampled) rows.back().push_back(f ? std::to_string(f->sample) : "-");
         if (compares) rows.back().push_back(comparisons_text(e));
         if (called) rows.back().push_back(e.call.empty() ? "-" : e.call);
     }

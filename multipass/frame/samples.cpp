@@ -10,8 +10,8 @@
 namespace gw::multipass {
 namespace {
 
-/// Kinds of spread; light i has kind Light + i.
-enum Kind : unsigned { Pixel, Lens, Moment, Glare, Light };
+/// What is spread; light i is OverLight + i.
+enum Kind : unsigned { OverPixel, OverLens, OverMoment, OverGlare, OverLight };
 
 /// 0.b0 b1 b2 ... in binary, for i = ... b2 b1 b0.
 double mirrored(std::size_t i) {
@@ -48,7 +48,7 @@ dvec3 area_point(const scene::AreaLight& area, const dvec2& square) {
 dvec2 spread(const Sample& sample, unsigned kind) {
     const std::size_t n = sample.count;
     const std::size_t i =
-        kind == Pixel ? sample.index : (sample.index * stride(n, kind) + kind) % n;
+        kind == OverPixel ? sample.index : (sample.index * stride(n, kind) + kind) % n;
     return {(double(i) + 0.5) / double(n), mirrored(i) + 0.5 / double(std::bit_ceil(n))};
 }
 
@@ -74,7 +74,7 @@ int samples_of(const scene::Scene& scene) {
 JitterState jitter_of(const Sample& sample, int subpixel_bits) {
     if (sample.count == 1) return {};
     const int grid = 1 << subpixel_bits;
-    const dvec2 p = spread(sample, Pixel);
+    const dvec2 p = spread(sample, OverPixel);
     return {int(p.x * grid) - grid / 2, int(p.y * grid) - grid / 2};
 }
 
@@ -88,13 +88,13 @@ bool moves(const scene::Scene& scene) {
 
 void move_to(scene::Scene& now, const scene::Scene& still, const Sample& sample) {
     if (sample.count == 1) return;
-    const double time = spread(sample, Moment).x - 0.5;
+    const double time = spread(sample, OverMoment).x - 0.5;
     for (std::size_t i = 0; i < now.objects.size(); ++i)
         now.objects[i].world_from_object[3] =
             still.objects[i].world_from_object[3] + dvec4(still.objects[i].move * time, 0);
     for (std::size_t i = 0; i < now.lights.size(); ++i) {
         const scene::Light& l = still.lights[i];
-        const vec3 moved(area_point(l.area, spread(sample, Light + unsigned(i))));
+        const vec3 moved(area_point(l.area, spread(sample, OverLight + unsigned(i))));
         if (l.kind == scene::LightKind::Directional)
             now.lights[i].direction = l.direction + moved;
         else
@@ -105,7 +105,7 @@ void move_to(scene::Scene& now, const scene::Scene& still, const Sample& sample)
 scene::View view_at(const scene::View& view, const Sample& sample) {
     const scene::Camera& camera = view.camera;
     if (sample.count == 1 || !(camera.aperture > 0)) return view;
-    const dvec2 shift = on_disc(spread(sample, Lens)) * camera.aperture;
+    const dvec2 shift = on_disc(spread(sample, OverLens)) * camera.aperture;
     const dvec3 line = camera.at - camera.eye;
     const double focus = camera.focus > 0 ? camera.focus : length(line);
     scene::View out = view;
@@ -116,7 +116,7 @@ scene::View view_at(const scene::View& view, const Sample& sample) {
 }
 
 dvec3 glare_displacement(const scene::Glare& g, const Sample& sample) {
-    const dvec2 square = spread(sample, Glare);
+    const dvec2 square = spread(sample, OverGlare);
     if (g.rays == 0) return dvec3(on_disc(square) * g.radius, 0);
     // A point of one of the rays; each ray has its share of the samples.
     const double along = square.x * g.rays, ray = std::floor(along);

@@ -17,11 +17,13 @@ int wrapped_row(const TexelLevel& level, const Addressing& how, int j) {
 }
 
 /// From the first index to before the last.
-struct Span {
+struct IndexRange {
     int first, end;
 };
 
-Span clipped(Span a, Span to) { return {std::max(a.first, to.first), std::min(a.end, to.end)}; }
+IndexRange clipped(IndexRange a, IndexRange to) {
+    return {std::max(a.first, to.first), std::min(a.end, to.end)};
+}
 
 /// A level's pairs.
 class LevelPairs {
@@ -43,16 +45,16 @@ public:
     void make_around(TexelPair* out, const Rect& rect) const {
         const bool at_side = rect.x <= 0 || rect.x + rect.width >= level_.width || rect.y <= 0 ||
                              rect.y + rect.height >= level_.height;
-        const Span rows = clipped({rect.y - 1, rect.y + rect.height}, all_rows_),
-                   columns = clipped({rect.x, rect.x + rect.width}, all_columns_);
+        const IndexRange rows = clipped({rect.y - 1, rect.y + rect.height}, all_rows_),
+                         columns = clipped({rect.x, rect.x + rect.width}, all_columns_);
         make(out, rows, columns);
         if (!at_side) return;
-        const Span below{all_rows_.first, std::min(all_rows_.first + 1, rows.first)},
+        const IndexRange below{all_rows_.first, std::min(all_rows_.first + 1, rows.first)},
             above{std::max(all_rows_.end - 1, rows.end), all_rows_.end};
-        for (const Span& r : {below, above}) make(out, r, all_columns_);
-        const Span left{all_columns_.first, std::min(all_columns_.first + 1, columns.first)},
+        for (const IndexRange& r : {below, above}) make(out, r, all_columns_);
+        const IndexRange left{all_columns_.first, std::min(all_columns_.first + 1, columns.first)},
             right{std::max(all_columns_.end - 1, columns.end), all_columns_.end};
-        for (const Span& c : {left, right}) make(out, rows, c);
+        for (const IndexRange& c : {left, right}) make(out, rows, c);
     }
 
 private:
@@ -65,13 +67,14 @@ private:
         const int k = wrapped_row(level_, how_, j);
         return k < 0 ? nullptr : &texels_.packed[level_.index(0, k)];
     }
-    void make(TexelPair* out, Span rows, Span columns) const {
-        const Span inner{std::max(columns.first, 0), std::min(columns.end, level_.width)};
+    void make(TexelPair* out, IndexRange rows, IndexRange columns) const {
+        const IndexRange inner{std::max(columns.first, 0), std::min(columns.end, level_.width)};
         for (int j = rows.first; j < rows.end; ++j) {
             TexelPair* const to =
                 out + std::ptrdiff_t(j - all_rows_.first) * row_length() - all_columns_.first;
             const std::uint32_t *const lower = row(j), *const upper = row(j + 1);
-            const Span copied = lower && upper ? inner : Span{columns.first, columns.first};
+            const IndexRange copied =
+                lower && upper ? inner : IndexRange{columns.first, columns.first};
             for (int i = copied.first; i < copied.end; ++i) to[i] = {lower[i], upper[i]};
             for (int i = columns.first; i < copied.first; ++i) to[i] = {at(i, j), at(i, j + 1)};
             for (int i = copied.end; i < columns.end; ++i) to[i] = {at(i, j), at(i, j + 1)};
@@ -81,7 +84,7 @@ private:
     const Texels& texels_;
     const TexelLevel& level_;
     const Addressing& how_;
-    Span all_rows_, all_columns_;
+    IndexRange all_rows_, all_columns_;
 };
 
 }  // namespace
