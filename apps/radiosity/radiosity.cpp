@@ -356,6 +356,7 @@ int compute(RadiosityOptions options, Session session) {
     };
     check_lux(options, scene);
     radiosity::PixmapModel model = lit_model(scene, options);
+    if (!options.picture.quiet) print_warnings(radiosity::left_out(model));
     if (!options.form_factor.empty()) {
         print_form_factor(options, model, progress);
         return Done;

@@ -43,6 +43,7 @@ public:
         watch();
         warn(without_lock([&] { return scene::warnings_of(scene_, {}, scene::DrawnBy::Rays); }));
         warn(scene::left_out_by_radiosity(scene_));
+        warn(rd::left_out(solver_->model()));
     }
 
     py::object shoot() {

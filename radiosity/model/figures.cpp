@@ -5,6 +5,7 @@
 #include "radiosity/model/model_builder.h"
 #include "radiosity/model/patches.h"
 #include "radiosity/model/texel_parts.h"
+#include "scene/text/suggest.h"
 
 #include <fmt/format.h>
 
@@ -168,6 +169,14 @@ std::vector<dvec3> emission_times(const PixmapModel& model,
     return E;
 }
 
+std::vector<std::string> left_out(const PixmapModel& model) {
+    if (model.without_area.empty()) return {};
+    const std::string name = scene::printable(model.without_area[0]);
+    const std::size_t others = model.without_area.size() - 1;
+    const std::string more = others > 0 ? fmt::format(", and {} more like it", others) : "";
+    return {fmt::format("object '{}' has no area, so radiosity leaves it out{}", name, more)};
+}
+
 void check_emission(const PixmapModel& model) {
     if (!model.direct.empty()) return;
     for (const Figure& figure : model.figures)
@@ -183,6 +192,10 @@ PixmapModel make_model(const scene::Scene& scene, const ModelOptions& options) {
         // lines, points have no area
         if (scene.objects[i].mesh->kind() != MeshKind::Triangles) continue;
         builder.begin(i);
+        if (!builder.has_area()) {
+            builder.leave_out();
+            continue;
+        }
         scene.objects[i].pixmap.given_st ? add_given(builder) : add_automatic(builder);
         builder.end();
     }

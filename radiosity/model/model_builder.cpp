@@ -128,12 +128,18 @@ void ModelBuilder::fail(const std::string& what) const {
     throw Error(o.pixmap.origin.file, o.pixmap.origin.line, text);
 }
 
-void ModelBuilder::fail_without_area() const {
+bool ModelBuilder::has_area() const {
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
+        if (surface_.solid(t)) return true;
+    return false;
+}
+
+void ModelBuilder::leave_out() {
     const scene::PixmapChoice& choice = object().pixmap;
     const dvec3 E(choice.emission.value_or(scene_.materials[object().material].Ke));
-    const bool emits = choice.lumen > 0 || E != dvec3(0);
-    fail(std::string("has no area") + (emits ? " and is to emit" : "") +
-         "; expected a figure with an area");
+    if (choice.lumen > 0 || E != dvec3(0))
+        fail("has no area and is to emit; expected a figure with an area");
+    model.without_area.push_back(object().name);
 }
 
 std::uint32_t ModelBuilder::add_figure(std::uint32_t pixmap) {

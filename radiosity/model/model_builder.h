@@ -35,7 +35,11 @@ public:
 
     /// Throws Error from the object's pixmap.
     [[noreturn]] void fail(const std::string& what) const;
-    [[noreturn]] void fail_without_area() const;
+
+    /// Whether a triangle of the object has one.
+    bool has_area() const;
+    /// Instead of adding the object, which has no area. Throws Error if it is to emit.
+    void leave_out();
 
     std::uint32_t add_figure(std::uint32_t pixmap);
     std::uint32_t add_pixmap(std::string name, int width, int height);

@@ -107,7 +107,8 @@ struct PixmapModel {
     std::vector<Source> sources;  ///< of drawn.objects
     /// drawn's objects as one, for hemicubes: planned once, not once an object
     scene::Scene joined;
-    double extent = 0;  ///< diagonal of the scene's bounds
+    std::vector<std::string> without_area;  ///< objects, which have no figure
+    double extent = 0;                      ///< diagonal of the scene's bounds
     /// of lights in candela; empty until direct_light.h fills it in
     std::vector<DirectLight> direct;
 

@@ -137,14 +137,12 @@ public:
     void add() {
         const std::uint32_t figure = builder_.add_figure(builder_.add_shared_pixmap());
         const auto triangles = builder_.object().mesh->triangles();
-        std::size_t added = 0;
         for (std::uint32_t t = 0; t < triangles.size();) {
             std::uint32_t end = t + 1;
             while (end < triangles.size() && triangles[end].polygon == triangles[t].polygon) ++end;
-            added += add_polygon(t, end, figure);
+            add_polygon(t, end, figure);
             t = end;
         }
-        if (added == 0) builder_.fail_without_area();
     }
 
 private:
@@ -161,18 +159,17 @@ private:
     }
 
     // One facet if the whole polygon has one affine map, else one for each triangle.
-    std::size_t add_polygon(std::uint32_t first, std::uint32_t end, std::uint32_t figure) {
+    void add_polygon(std::uint32_t first, std::uint32_t end, std::uint32_t figure) {
         std::vector<std::uint32_t> solid;
         for (std::uint32_t t = first; t < end; ++t)
             if (builder_.surface().solid(t)) solid.push_back(t);
-        if (solid.empty()) return 0;
+        if (solid.empty()) return;
         if (std::optional<Facet> facet = one_map(solid)) {
             for (std::uint32_t t : solid) facet->triangles.push_back(uv_of(t));
             builder_.add_facet(std::move(*facet), solid, figure);
         } else {
             for (std::uint32_t t : solid) builder_.add_triangle(t, uv_of(t), figure);
         }
-        return solid.size();
     }
 
     std::optional<Facet> one_map(const std::vector<std::uint32_t>& solid) const {
@@ -203,7 +200,6 @@ private:
 
 void add_automatic(ModelBuilder& builder) {
     const std::vector<Chart> found = flat_charts(builder);
-    if (found.empty()) builder.fail_without_area();
     const std::string& name = builder.object().name;
     for (std::size_t i = 0; i < found.size(); ++i)
         add_chart(builder, found[i], found.size() > 1 ? fmt::format("{} {}", name, i + 1) : name);

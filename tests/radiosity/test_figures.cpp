@@ -110,6 +110,25 @@ TEST(Figures, NeedNoLight) {
     EXPECT_NO_THROW(check_emission(make_model(one(square()))));
 }
 
+TEST(Figures, AnObjectWithoutAreaIsLeftOutWithAWarning) {
+    EXPECT_EQ(left_out(make_model(one(square()))), std::vector<std::string>());
+    for (const scene::PixmapChoice& pixmap : {scene::PixmapChoice{}, given(4, 4)}) {
+        scene::Scene scene = one(square());
+        scene.materials.push_back({.name = "dark"});
+        MeshData line{.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+                      .texcoords = {{0, 0}, {1, 0}, {1, 1}}};
+        for (const char* name : {"line", "seam"})
+            scene.objects.push_back(
+                {.name = name, .mesh = make_mesh(line), .material = 1, .pixmap = pixmap});
+        const PixmapModel model = make_model(scene);
+        EXPECT_EQ(model.figures.size(), 1u);
+        EXPECT_EQ(model.pixmaps.size(), 1u);
+        EXPECT_EQ(left_out(model),
+                  std::vector<std::string>{
+                      "object 'line' has no area, so radiosity leaves it out, and 1 more like it"});
+    }
+}
+
 /// The message of the Error that a scene gives.
 std::string refusal(const scene::Scene& scene) {
     try {

@@ -3,7 +3,9 @@
 #include "gw/error.h"
 #include "image/plane_pictures.h"
 #include "radiosity/model/changes.h"
+#include "radiosity/model/figures.h"
 #include "radiosity/solver/direct_light.h"
+#include "scene/validate/warnings_of.h"
 
 #include <set>
 
@@ -142,7 +144,10 @@ Json Lighting::facts(const Json& options) const {
                 {"flux", json_of_color(flux)},
                 {"points", radiosity::points_of(model, patch).size()}};
     };
-    Json answer{{"shots", shots_},
+    std::vector<std::string> warnings = scene::left_out_by_radiosity(scene_);
+    for (const std::string& line : radiosity::left_out(model)) warnings.push_back(line);
+    Json answer{{"warnings", warnings},
+                {"shots", shots_},
                 {"hemicubes", hemicubes_},
                 {"more", is_due(options) || (shots_ < options.at("shots") && !is_dark_)},
                 {"dark", is_dark_},
