@@ -293,7 +293,8 @@ private:
         lights_.push_back(read_gltf_light(document_, light, node.world_from_node, name_of(json)));
     }
 
-    /// A file without lights is lit as a bare OBJ file is, though something emits.
+    /// A file without lights is lit from where a bare OBJ file is, though something emits, and more
+    /// from all sides: metals show little else.
     void add_lights() {
         Scene& scene = builder_.scene;
         const Bounds box = bounds(scene);
@@ -306,9 +307,12 @@ private:
             for (Object& object : scene.objects)
                 if (const auto nit = luminances_.find(object.material); nit != luminances_.end())
                     object.pixmap.emission = vec3(pi * nit->second);
-        if (scene.lights.empty())
-            scene.lights.push_back(
-                default_light(scene.camera ? *scene.camera : fit_camera(box, 4, 3)));
+        if (scene.lights.empty()) {
+            Light light = default_light(scene.camera ? *scene.camera : fit_camera(box, 4, 3));
+            light.Ia = vec3(0.4f);
+            light.Id = vec3(0.6f);
+            scene.lights.push_back(light);
+        }
         for (std::size_t i = 0; i < lights_.size(); ++i)
             scene.lights[i].position = vec3(lights_[i].position);
     }

@@ -65,20 +65,21 @@ public:
           metallic_(surface.metallic) {
         Physical p = surface;
         p.metallic = 0;
-        set_words(p, dielectric_);
+        dielectric_ = reflection_of(p);
         p.metallic = 1;
-        set_words(p, pure_);
+        pure_ = reflection_of(p);
     }
 
     void set(double mean_metallic) {
         const float part = float(metallic_ * mean_metallic);
-        material_.Ka = material_.Kd = dielectric_.Kd;
-        material_.Ks = glm::max(dielectric_.Ks, pure_.Ks);
+        material_.Ka = dielectric_.diffuse;
+        material_.Kd = glm::max(dielectric_.Kd(), pure_.Kd());
+        material_.Ks = glm::max(dielectric_.Ks(), pure_.Ks());
         material_.Ns = dielectric_.Ns + (pure_.Ns - dielectric_.Ns) * part;
         Map map = material_.map_metal[0];
         make_texels();
         material_.map_Ka = material_.map_Kd;
-        if (material_.map_Ka.empty()) {  // else the map of Kd stands for it
+        if (material_.map_Ka.empty()) {  // else the map of Kd would stand for it
             map.texture = make_texture8("white", 1, 1, std::vector<std::uint8_t>(4, 255));
             material_.map_Ka = {map};
         }
@@ -107,17 +108,23 @@ private:
     }
 
     void add(double base, double m, double left, int k) {
-        Kd_.push_back(std::uint16_t(quantize(base * left, 16)));
-        const double Ks = (1 - m) * double(dielectric_.Ks[k]) + m * double(pure_.Ks[k]) * base;
-        const double most = double(material_.Ks[k]);
-        Ks_.push_back(most > 0 ? std::uint16_t(quantize(std::min(Ks / most, 1.0), 16)) : 0);
+        const double of_metal = m * double(pure_.highlight[k]) * base;
+        const double broad = of_metal * double(pure_.broad);
+        const double Kd = base * left * double(dielectric_.diffuse[k]) + broad;
+        const double Ks = (1 - m) * double(dielectric_.highlight[k]) + of_metal - broad;
+        Kd_.push_back(part_of(Kd, double(material_.Kd[k])));
+        Ks_.push_back(part_of(Ks, double(material_.Ks[k])));
+    }
+
+    static std::uint16_t part_of(double value, double most) {
+        return most > 0 ? std::uint16_t(quantize(std::min(value / most, 1.0), 16)) : 0;
     }
 
     Material& material_;
     TextureRef base_;
     const Texture& metal_;
     double metallic_;
-    Material dielectric_, pure_;
+    Reflection dielectric_, pure_;
     int width_ = 1, height_ = 1;
     std::vector<std::uint16_t> Kd_, Ks_;
 };

@@ -20,6 +20,14 @@ double decoded(double shown) {
 
 }  // namespace
 
+Reflection reflection_of(const Physical& p) {
+    const dvec3 F0 =
+        glm::mix(glm::min(p.F0_tint * (dielectric_F0 * p.specular), dvec3(1)), p.base, p.metallic);
+    const dvec3 diffuse = p.base * (1 - p.metallic);
+    const Highlight highlight = highlight_of(p.F0.value_or(F0), diffuse, p.roughness);
+    return {encoded(diffuse), highlight.Ks, highlight.Ns, float(p.metallic * p.roughness / 2)};
+}
+
 void set_words(const Physical& p, Material& material) {
     const vec3 base = encoded(p.base);
     if (p.unlit) {
@@ -27,14 +35,11 @@ void set_words(const Physical& p, Material& material) {
         material.Ke = base;
         return;
     }
-    const dvec3 F0 =
-        glm::mix(glm::min(p.F0_tint * (dielectric_F0 * p.specular), dvec3(1)), p.base, p.metallic);
-    const dvec3 reflected = p.F0.value_or(F0), diffuse = p.base * (1 - p.metallic);
-    const Highlight highlight = highlight_of(reflected, diffuse, p.roughness);
+    const Reflection reflection = reflection_of(p);
     material.Ka = base;
-    material.Kd = encoded(diffuse);
-    material.Ks = highlight.Ks;
-    material.Ns = highlight.Ns;
+    material.Kd = reflection.Kd();
+    material.Ks = reflection.Ks();
+    material.Ns = reflection.Ns;
     material.Ke = encoded(p.emissive);
 }
 

@@ -16,7 +16,18 @@ struct Physical {
     double alpha = 1, metallic = 1, roughness = 1, specular = 1;
     bool unlit = false;
 };
-/// The words that do not depend on maps.
+/// What of a surface does not depend on maps, encoded.
+struct Reflection {
+    vec3 diffuse{0}, highlight{0};
+    float Ns = 0;
+    /// The share of a metal's highlight that Kd has: GGX is broader than Ns alone can be.
+    float broad = 0;
+
+    vec3 Kd() const { return diffuse + highlight * broad; }
+    vec3 Ks() const { return highlight * (1 - broad); }
+};
+Reflection reflection_of(const Physical& p);
+/// The words of such a material.
 void set_words(const Physical& p, Material& material);
 
 /// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as

@@ -136,7 +136,7 @@ TEST_F(Gltf, TextureCoordinatesGrowUpwards) {
               (std::vector<vec2>{{0, 1}, {0, 0}, {1, 1}}));
 }
 
-TEST_F(Gltf, AMetalHasNoDiffusePartAndARoughSurfaceAWideHighlight) {
+TEST_F(Gltf, AMetalIsItsHighlightAndARoughSurfaceHasAWideOne) {
     const Material rough = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5}})");
     EXPECT_NEAR_3(rough.Ka, srgb(0.5), srgb(0.2), 0);
@@ -149,8 +149,9 @@ TEST_F(Gltf, AMetalHasNoDiffusePartAndARoughSurfaceAWideHighlight) {
     EXPECT_NEAR(srgb(0.5 + peak * D) - srgb(0.5), rough.Ks.x / 2, 1e-6);
     const Material metal = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.25, 1], "roughnessFactor": 0.5}})");
-    EXPECT_EQ(metal.Kd, vec3(0));
-    EXPECT_NEAR_3(metal.Ks, 1, srgb(0.5), srgb(0.25));
+    constexpr double in_Kd = 0.5 / 2, in_Ks = 1 - in_Kd;  // of the highlight, by roughness
+    EXPECT_NEAR_3(metal.Kd, in_Kd, in_Kd * srgb(0.5), in_Kd * srgb(0.25));
+    EXPECT_NEAR_3(metal.Ks, in_Ks, in_Ks * srgb(0.5), in_Ks * srgb(0.25));
 }
 
 TEST_F(Gltf, SpecularAndGlossinessAreF0AndRoughness) {

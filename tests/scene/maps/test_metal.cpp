@@ -41,6 +41,10 @@ std::vector<std::string> finished(Scene& scene) {
     return warnings.lines();
 }
 
+/// Kd and Ks of a metal: half the roughness is the share of its highlight that is in Kd.
+double metal_Kd(double highlight, double roughness) { return highlight * roughness / 2; }
+double metal_Ks(double highlight, double roughness) { return highlight * (1 - roughness / 2); }
+
 /// A word of the material times its map at a texel.
 vec3 at(const vec3& word, const std::vector<Map>& map, std::size_t texel) {
     vec3 v = word;
@@ -62,15 +66,18 @@ TEST(MetalMap, TexelsAreMetalOrADielectric) {
     EXPECT_TRUE(finished(scene).empty());
     const Material& m = scene.materials[0];
     EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 0), srgb(0.5), srgb(0.25), srgb(0.1));
-    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 0), srgb(0.5), srgb(0.25), srgb(0.1));
-    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 1), 0, 0, 0);
-    const double rest = srgb(1 - 0.5);  // to a step of 255
-    EXPECT_NEAR(at(m.Kd, m.map_Kd, 2).x, srgb(0.5) * rest, 0.003);
     // Roughness 0.8 * 0.75 = 0.6: a highlight F0 / (4 r^4) high.
-    const double peak = 1 / (4 * std::pow(0.6, 4)), d = 0.04 * peak;
-    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 0), srgb(0.5 + d) - srgb(0.5), srgb(0.25 + d) - srgb(0.25),
-                  srgb(0.1 + d) - srgb(0.1));
-    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 1), srgb(0.5 * peak), srgb(0.25 * peak), srgb(0.1 * peak));
+    const double r = 0.6, peak = 1 / (4 * std::pow(r, 4)), d = 0.04 * peak;
+    const double half = srgb(1 - 0.5);  // what 0.5 of metal leaves, to a step of 255
+    for (int k = 0; k < 3; ++k) {
+        const double b = dvec3(0.5, 0.25, 0.1)[k];
+        const double on_diffuse = srgb(b + d) - srgb(b), of_metal = srgb(b * peak);
+        EXPECT_NEAR(at(m.Kd, m.map_Kd, 0)[k], srgb(b), 1e-4);
+        EXPECT_NEAR(at(m.Ks, m.map_Ks, 0)[k], on_diffuse, 1e-4);
+        EXPECT_NEAR(at(m.Kd, m.map_Kd, 1)[k], metal_Kd(of_metal, r), 1e-4);
+        EXPECT_NEAR(at(m.Ks, m.map_Ks, 1)[k], metal_Ks(of_metal, r), 1e-4);
+        EXPECT_NEAR(at(m.Kd, m.map_Kd, 2)[k], srgb(b) * half + metal_Kd(of_metal, r) / 2, 0.003);
+    }
     EXPECT_TRUE(m.map_metal.empty());
 }
 
@@ -81,18 +88,20 @@ TEST(MetalMap, TheColoursOfTexelsMultiplyKdAndTheHighlightOfMetal) {
     const Material& m = scene.materials[0];
     EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 1), srgb(0.5) / 2, srgb(0.5), 0);
     EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 0), srgb(0.5) / 2, srgb(0.5), 0);
-    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 1), 0, 0, 0);
-    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 1), 0.5, 1, 0);  // 0.5 / (4 / 16) is beyond white
+    const double r = 0.5;  // 0.5 / (4 r^4) is beyond white
+    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 1), metal_Kd(0.5, r), metal_Kd(1, r), 0);
+    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 1), metal_Ks(0.5, r), metal_Ks(1, r), 0);
 }
 
 TEST(MetalMap, AnEvenMapIsTheMaterialByFactor) {
     Scene scene = surface({0.5, 0.25, 0.1}, 1, {{0, 0.5, 1}, {0, 0.5, 1}});
     EXPECT_TRUE(finished(scene).empty());
     const Material& m = scene.materials[0];
-    EXPECT_EQ(m.Kd, vec3(0));
+    const double r = 0.5;  // 0.5 / (4 r^4) is beyond white
+    EXPECT_NEAR_3(m.Kd, metal_Kd(srgb(1), r), metal_Kd(srgb(0.5), r), metal_Kd(srgb(0.2), r));
     EXPECT_TRUE(m.map_Kd.empty());
     EXPECT_TRUE(m.map_Ks.empty());
-    EXPECT_NEAR_3(m.Ks, srgb(1), srgb(0.5), srgb(0.2));  // 0.5 / (4 / 16), and beyond white
+    EXPECT_NEAR_3(m.Ks, metal_Ks(srgb(1), r), metal_Ks(srgb(0.5), r), metal_Ks(srgb(0.2), r));
 }
 
 TEST(MetalMap, AMapThatLiesInAnotherWayHasItsMeans) {
@@ -103,7 +112,10 @@ TEST(MetalMap, AMapThatLiesInAnotherWayHasItsMeans) {
               (std::vector<std::string>{
                   "m.gltf: material 'helmet': its metallicRoughnessTexture lies in another way "
                   "than its colours; expected the same, so it is drawn with its means"}));
-    EXPECT_NEAR(scene.materials[0].Kd.x, srgb(0.5 * 0.75), 1e-4);
+    // A quarter of metal, roughness 0.5.
+    const double diffuse = 0.5 * 0.75, peak = (0.04 * 0.75 + 0.5 * 0.25) * 4;
+    EXPECT_NEAR(scene.materials[0].Kd.x,
+                srgb(diffuse) + metal_Kd(srgb(diffuse + peak) - srgb(diffuse), 0.5) / 4, 1e-4);
 }
 
 }  // namespace gw::scene
