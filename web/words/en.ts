@@ -130,8 +130,8 @@ export const en = {
   lab_hidden_look:
     'Drag the picture to move the eye. What does the algorithm ask again, and where does it err?',
   lab_scene: 'Scene',
-  lab_own: 'Open your own (OBJ, TOML, with MTL and PNG)',
-  lab_no_scene: 'No scene among these files; expected an OBJ or a TOML file.',
+  lab_own: 'Open your own (OBJ, glTF, TOML, with what they name)',
+  lab_no_scene: 'No scene among these files; expected OBJ, glTF or TOML.',
   lab_size: 'Size',
   lab_profile: 'Profile',
   lab_scene_eye: "Back to the scene's eye",

@@ -134,8 +134,8 @@ export const ja: Words = {
   lab_hidden_look:
     '絵をドラッグすると視点が動きます。アルゴリズムは何を問い直し、どこで誤るでしょうか。',
   lab_scene: 'シーン',
-  lab_own: '自分のファイルを開く（OBJ、TOML、MTL と PNG も）',
-  lab_no_scene: 'シーンがありません。OBJ か TOML のファイルが必要です。',
+  lab_own: '自分のファイルを開く（OBJ、glTF、TOML と、その参照ファイル）',
+  lab_no_scene: 'シーンがありません。OBJ、glTF、TOML のどれかのファイルが必要です。',
   lab_size: '大きさ',
   lab_profile: 'プロファイル',
   lab_scene_eye: 'シーンの視点に戻す',

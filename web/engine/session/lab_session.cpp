@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace gw::lab {
 namespace {
@@ -70,22 +71,37 @@ Json LabSession::open(const Json& options) {
     shapes_.clear();
     finished_.reset();
     file_ = scene::read_scene(options.at("path").get<std::string>());
-    Json objects = Json::array(), lights = Json::array(), pictures = Json::array();
+    Json objects = Json::array(), lights = Json::array();
     for (const scene::Object& object : file_.scene.objects)
         objects.push_back(
             {{"name", object.name},
              {"material", file_.scene.materials.at(object.material).name},
              {"triangles", object.mesh ? object.mesh->data().indices.size() / 3 : 0}});
     for (const scene::Light& light : file_.scene.lights) lights.push_back(light.name);
-    for_each_map(file_.scene, [&](const scene::Map& map) { pictures.push_back(key_of(map.file)); });
+    std::set<std::string> pictures, embedded;
+    for_each_map(file_.scene, [&](const scene::Map& map) {
+        (map.bytes ? embedded : pictures).insert(key_of(map.file));
+    });
     const render::Drawing shown =
         render::make_drawing({.size = {320, 240}}, vgx(), {.scene = file_.scene});
     const scene::Camera seen = *shown.scene.camera;
     std::vector<std::string> warnings = file_.warnings;
     for (const std::string& line : render::warnings(shown)) warnings.push_back(line);
     return {{"name", file_.scene.name}, {"warnings", warnings},   {"objects", objects},
-            {"lights", lights},         {"pictures", pictures},   {"eye", json_of(seen.eye)},
-            {"at", json_of(seen.at)},   {"up", json_of(seen.up)}, {"fov", seen.fov}};
+            {"lights", lights},         {"pictures", pictures},   {"embedded", embedded},
+            {"eye", json_of(seen.eye)}, {"at", json_of(seen.at)}, {"up", json_of(seen.up)},
+            {"fov", seen.fov}};
+}
+
+Json LabSession::embedded(const Json& options) {
+    const auto path = options.at("path").get<std::string>();
+    std::shared_ptr<const std::string> bytes;
+    for_each_map(file_.scene, [&](const scene::Map& map) {
+        if (map.bytes && key_of(map.file) == path) bytes = map.bytes;
+    });
+    if (!bytes) throw Error(path + " lies in no file of the scene");
+    picture_.assign(bytes->begin(), bytes->end());
+    return Json::object();
 }
 
 scene::Scene LabSession::scene_for(const Json& options) const {
@@ -118,7 +134,7 @@ const LabSession::Finished& LabSession::finished() const {
     Finished made{file_.scene, {}};
     for_each_map(made.scene, [&](scene::Map& map) {
         const auto found = pictures_.find(key_of(map.file));
-        if (!map.bytes && found != pictures_.end()) map.texture = found->second;
+        if (found != pictures_.end()) map.texture = found->second;
     });
     scene::Warnings warnings;
     scene::finish(made.scene, warnings);
@@ -131,8 +147,6 @@ Json LabSession::finish(const Json&) { return {{"warnings", finished().warnings}
 
 void LabSession::check_pictures() const {
     for_each_map(file_.scene, [&](const scene::Map& map) {
-        if (map.bytes)
-            throw Error(map.file.string() + " lies within its file; expected it beside the scene");
         if (!map.texture && !pictures_.contains(key_of(map.file)))
             throw Error(map.origin.file, map.origin.line,
                         map.file.string() + " is not here; expected it beside the scene");
@@ -203,6 +217,7 @@ std::string LabSession::manifest(const Json& options) {
 
 const Method session_methods[] = {
     {"open", &LabSession::open},
+    {"embedded", &LabSession::embedded, {{"picture", &LabSession::picture}}},
     {"finish", &LabSession::finish},
     {"draw", &LabSession::draw, {{"picture", &LabSession::picture}}},
     {"manifest", &LabSession::manifest},

@@ -36,9 +36,11 @@ public:
                      const std::string& texels);
     /// What the engine has: hidden-surface algorithms, and the vectors that it was compiled for.
     Json about(const Json& options);
-    /// Reads `path`, a TOML scene or an OBJ file. Answers what is in it, and the texture files that it
-    /// needs.
+    /// Reads `path`, a TOML scene, an OBJ or a glTF file. Answers what is in it, and the texture files
+    /// that it needs: `embedded` are those that lie within it.
     Json open(const Json& options);
+    /// The bytes of the texture file `path` among these, as picture().
+    Json embedded(const Json& options);
     /// Finishes the scene with the pictures that were added since: all methods then work on it.
     /// Answers `warnings` of that.
     Json finish(const Json& options);

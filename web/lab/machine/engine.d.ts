@@ -25,6 +25,8 @@ declare module 'gw-engine' {
     FS: {
       mkdirTree(path: string): void;
       writeFile(path: string, data: Uint8Array | string): void;
+      readFile(path: string): Uint8Array;
+      analyzePath(path: string): { readonly exists: boolean };
     };
   }
   export default function make_engine(settings: {

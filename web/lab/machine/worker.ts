@@ -1,15 +1,22 @@
 // The machine in a worker: requests in, answers out, one after the other.
 import make_engine, { type Engine, type EngineModule } from 'gw-engine';
 import make_scalar from 'gw-scalar';
-import { decode, type DecodedPng } from 'fast-png';
+import { decode } from 'fast-png';
 import { folder } from './data';
 import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
 import { bytesOf, unpacked } from './unpacked';
 
 let lab: EngineModule;
 let engine: Engine;
-/** Files that are textures, decoded when a scene asks for them. */
-const pictures = new Map<string, Uint8Array>();
+/** Textures that the engine has. */
+const added = new Set<string>();
+
+/** Paths of the scene's textures. */
+interface Textures {
+  readonly pictures: readonly string[];
+  /** Within the scene's file. */
+  readonly embedded: readonly string[];
+}
 
 /** The engine's answer: JSON or a text, and planes. */
 function called(method: string, options: unknown): unknown {
@@ -22,8 +29,8 @@ function write(files: Files): void {
   for (const [path, bytes] of Object.entries(files)) {
     lab.FS.mkdirTree(path.slice(0, path.lastIndexOf('/')));
     lab.FS.writeFile(path, bytes);
-    if (/\.png$/i.test(path)) pictures.set(path, bytes);
   }
+  added.clear();
 }
 
 /** By path, "/scenes/hidden/cycle.toml". */
@@ -34,37 +41,68 @@ async function sceneFiles(text: string): Promise<Files> {
   );
 }
 
-function decoded(path: string, bytes: Uint8Array): DecodedPng {
-  try {
-    return decode(bytes);
-  } catch (error) {
-    throw new Error(`${path}: ${(error as Error).message}; expected a PNG picture`);
-  }
+interface Picture {
+  readonly width: number;
+  readonly height: number;
+  /** Four channels, as the file has their values. */
+  readonly rgba: Uint8Array | Uint8ClampedArray | Uint16Array;
 }
 
-/** Four channels, as the file has their values. */
-function addPicture(path: string): void {
-  const bytes = pictures.get(path);
-  if (!bytes) return;
-  const png = decoded(path, bytes);
-  const { width, height, channels, depth } = png;
+function decodedPng(bytes: Uint8Array): Picture {
+  const { width, height, channels, depth, palette, data } = decode(bytes);
   const count = width * height;
   const most = depth === 16 ? 65535 : 255;
   const rgba = depth === 16 ? new Uint16Array(count * 4) : new Uint8Array(count * 4);
   const grey = channels < 3;
   for (let i = 0; i < count; ++i) {
     let from = i * channels;
-    const color = png.palette ? png.palette[png.data[i]!]! : undefined;
-    for (let c = 0; c < 3; ++c)
-      rgba[i * 4 + c] = color ? color[c]! : png.data[grey ? from : from + c]!;
+    const color = palette?.[data[i]!];
+    for (let c = 0; c < 3; ++c) rgba[i * 4 + c] = color ? color[c]! : data[grey ? from : from + c]!;
     from += channels - 1;
-    const alpha = color ? (color[3] ?? 255) : channels % 2 === 0 ? png.data[from]! : most;
+    const alpha = color ? (color[3] ?? 255) : channels % 2 === 0 ? data[from]! : most;
     rgba[i * 4 + 3] = alpha;
   }
+  return { width, height, rgba };
+}
+
+/** JPEG and what else the browser reads. */
+async function decodedByBrowser(bytes: Uint8Array): Promise<Picture> {
+  const bitmap = await createImageBitmap(new Blob([bytes]), {
+    colorSpaceConversion: 'none',
+    imageOrientation: 'none',
+    premultiplyAlpha: 'none',
+  });
+  const { width, height } = bitmap;
+  const context = new OffscreenCanvas(width, height).getContext('2d')!;
+  context.drawImage(bitmap, 0, 0);
+  return { width, height, rgba: context.getImageData(0, 0, width, height).data };
+}
+
+const isPng = (bytes: Uint8Array): boolean => bytes[0] === 0x89 && bytes[1] === 0x50;
+
+async function addPicture(path: string, bytes: Uint8Array): Promise<void> {
+  let picture: Picture;
+  try {
+    picture = isPng(bytes) ? decodedPng(bytes) : await decodedByBrowser(bytes);
+  } catch (error) {
+    throw new Error(`${path}: ${(error as Error).message}; expected a PNG or JPEG picture`);
+  }
+  const { width, height, rgba } = picture;
+  const bits = rgba.BYTES_PER_ELEMENT * 8;
   const texels = new Uint8Array(rgba.buffer);
-  const { error } = engine.add_picture(path, width, height, depth === 16 ? 16 : 8, texels);
+  const { error } = engine.add_picture(path, width, height, bits, texels);
   if (error !== undefined) throw new Error(error);
-  pictures.delete(path);
+  added.add(path);
+}
+
+/** A picture that is not here is missed when it is drawn. */
+async function addPictures({ pictures, embedded }: Textures): Promise<void> {
+  for (const path of pictures)
+    if (!added.has(path) && lab.FS.analyzePath(path).exists)
+      await addPicture(path, lab.FS.readFile(path));
+  for (const path of embedded)
+    if (!added.has(path))
+      await addPicture(path, (called('embedded', { path }) as { picture: Uint8Array }).picture);
 }
 
 type Own = 'start' | 'write' | 'open';
@@ -93,9 +131,9 @@ const own: { [M in Own]: (...values: Parameters<Methods[M]>) => unknown } = {
     return { ...(called('about', {}) as object), scenes: Object.keys(await files), module };
   },
   write,
-  open(path) {
-    const facts = called('open', { path }) as SceneFacts & { pictures: string[] };
-    facts.pictures.forEach(addPicture);
+  async open(path) {
+    const facts = called('open', { path }) as SceneFacts & Textures;
+    await addPictures(facts);
     const { warnings } = called('finish', {}) as Pick<SceneFacts, 'warnings'>;
     return { ...facts, warnings: [...facts.warnings, ...warnings] };
   },
