@@ -9,14 +9,14 @@
 namespace gw::scene {
 namespace {
 
-std::string fault_text(std::string_view word, NumberFault fault, std::string_view form) {
+std::string number_fault_text(std::string_view word, NumberFault fault, std::string_view form) {
     return "'" + printable(word) + "'" + std::string(fault_text(fault)) + "; expected " +
            std::string(form);
 }
 
 [[noreturn]] void fail_number(const Statements& in, std::string_view word, NumberFault fault,
                               std::string_view form) {
-    in.fail(fault_text(word, fault, form));
+    in.fail(number_fault_text(word, fault, form));
 }
 
 /// The whole word; "1.#IND" and "-1.#QNAN" of older C libraries are not finite.
@@ -70,7 +70,7 @@ std::optional<std::string> not_finite(std::string_view text, std::string_view fo
     for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
         const FloatText number = read_word(word);
         if (number.fault == NumberFault::NotFinite && !first)
-            first = fault_text(word, number.fault, form);
+            first = number_fault_text(word, number.fault, form);
         else if (number.fault != NumberFault::None && number.fault != NumberFault::NotFinite)
             return std::nullopt;
     }

@@ -79,6 +79,23 @@ it.each(['passes', 'hidden', 'rays'])('%s says what finishing a scene warns of',
   expect(await alerts()).toEqual([]);
 });
 
+it('radiosity says what it leaves out', async () => {
+  await open('#lang=en&exhibit=radiosity&size=64x48');
+  await thePage().waitForSelector('canvas');
+  await drop({
+    'flat.mtl': 'newmtl lamp\nKe 1 1 1\n newmtl grey\nKd 0.5 0.5 0.5\n',
+    'flat.obj':
+      'mtllib flat.mtl\no lamp\nusemtl lamp\nv 0 2 0\nv 1 2 0\nv 1 2 1\nv 0 2 1\nf 1 2 3 4\n' +
+      'o seam\nusemtl grey\nv 0 0 0\nv 1 0 0\nv 2 0 0\nf 5 6 7\n',
+  });
+  await thePage().waitForFunction(() =>
+    [...document.querySelectorAll('p.warning')].some(
+      (e) => e.textContent === "object 'seam' has no area, so radiosity leaves it out",
+    ),
+  );
+  expect(await alerts()).toEqual([]);
+});
+
 /** A picture of one colour, as the browser writes it. */
 const pictureOf = (type: string, color: string) =>
   thePage().evaluate(
