@@ -15,12 +15,12 @@ namespace {
 constexpr double degrees_per_radian = 180 / pi;
 
 /// The place of a value among ascending numbers: between `index` and the next.
-struct Place {
+struct AnglePlace {
     std::size_t index = 0;
     double part = 0;
 };
 
-Place place_in(const std::vector<double>& numbers, double value) {
+AnglePlace place_in(const std::vector<double>& numbers, double value) {
     if (numbers.size() == 1) return {};
     const auto above = std::upper_bound(numbers.begin() + 1, numbers.end() - 1, value);
     const auto index = std::size_t(above - numbers.begin()) - 1;
@@ -82,8 +82,8 @@ dvec3 with_luminance_1(const dvec3& color) { return color / luminance_of(color);
 double Photometry::at(double vertical_angle, double horizontal_angle) const {
     if (vertical_angle < vertical.front() - 1e-9 || vertical_angle > vertical.back() + 1e-9)
         return 0;
-    const Place v = place_in(vertical, vertical_angle),
-                h = place_in(horizontal, folded(horizontal_angle, horizontal));
+    const AnglePlace v = place_in(vertical, vertical_angle),
+                     h = place_in(horizontal, folded(horizontal_angle, horizontal));
     const auto along = [&](std::size_t plane) {
         const double* const row = &candela[plane * vertical.size()];
         return row[v.index] * (1 - v.part) + (v.part > 0 ? row[v.index + 1] * v.part : 0);

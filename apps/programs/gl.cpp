@@ -150,7 +150,7 @@ std::string missing(const GlOptions& options, const image::OutputFile* recording
 }
 
 /// Word as a shell reads it.
-std::string quoted(const std::string& word) {
+std::string for_shell(const std::string& word) {
     std::string out = "'";
     for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return out + "'";
@@ -163,7 +163,7 @@ int print_environment(const GlOptions& options, Session& session) {
             "--env takes no program, --record, --screenshot or --stats; expected GW_RECORD, "
             "GW_SCREENSHOT or GW_STATS in the shell");
     for (const auto& [name, value] : variables_of(options, session))
-        print(fmt::format("export {}={}\n", name, quoted(value)));
+        print(fmt::format("export {}={}\n", name, for_shell(value)));
     return Done;
 }
 

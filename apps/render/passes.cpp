@@ -103,7 +103,7 @@ std::string json(const Printout& printout) {
 }
 
 // A name with any characters as one field.
-std::string quoted(const std::string& text) {
+std::string csv_field(const std::string& text) {
     std::string field = "\"";
     for (char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
     return field + "\"";
@@ -114,7 +114,7 @@ std::string csv(const Printout& printout) {
     for (const auto& [name, count] : counter_names()) out += std::string(",") + name;
     out += ",estimated_seconds\n";
     for (const auto& [report, set, seconds] : printout.runs) {
-        out += quoted(report.name) + "," + quoted(set);
+        out += csv_field(report.name) + "," + csv_field(set);
         for (const auto& [name, count] : counter_names())
             out += fmt::format(",{}", report.counters.*count);
         out += fmt::format(",{}\n", seconds);

@@ -31,7 +31,7 @@ void any_buffers(Random& r, const Profile& p, State& s) {
     if (two) s.read_buffer = r.any(ReadBuffer::Back);
 }
 
-void any_step(Script& s) {
+void any_buffers_step(Script& s) {
     Random& r = s.random;
     const int kind = r.below(100);
     if (kind < 30) {
@@ -65,7 +65,7 @@ Case buffers_case(Random& r) {
         s.state.blend = r.chance(40) ? any_extended_blend(r) : BlendState{};
         s.state.logic_op = r.chance(15) ? any_logic_op(r) : LogicOpState{};
         s.state.shade_model = r.any(ShadeModel::Smooth);
-        any_step(s);
+        any_buffers_step(s);
         between_draws(s);
     }
     return s.out;

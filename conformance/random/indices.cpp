@@ -67,7 +67,7 @@ void draw_indices(Script& s, const ColorMap& map) {
     add(s, std::move(d));
 }
 
-void any_step(Script& s, const ColorMap& map) {
+void any_indices_step(Script& s, const ColorMap& map) {
     Random& r = s.random;
     const int kind = r.below(100);
     if (kind < 10) {
@@ -100,7 +100,7 @@ Case indices_case(Random& r) {
         const bool has_logic = s.out.profile.extensions.logic_op;
         s.state.logic_op = has_logic && r.chance(20) ? any_logic_op(r) : LogicOpState{};
         s.state.shade_model = ShadeModel::Flat;
-        any_step(s, map);
+        any_indices_step(s, map);
         if (r.chance(20)) s.out.maps.push_back({s.out.list.commands.size(), {}});
         if (!r.chance(40)) continue;
         map = r.chance(15) ? ColorMap{} : any_map(r);

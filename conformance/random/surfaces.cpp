@@ -174,7 +174,7 @@ void copy_any(Surfaces& all) {
     if (all.can_read(read.plane)) add(s, read);
 }
 
-void any_step(Surfaces& all) {
+void any_surfaces_step(Surfaces& all) {
     Script& s = all.s;
     Random& r = s.random;
     const int kind = r.below(100);
@@ -221,7 +221,7 @@ Case surfaces_case(Random& r) {
     for (int i = r.between(1, 3); i > 0; --i) all.make();
     const int steps = r.between(4, 24);
     for (int i = 0; i < steps; ++i) {
-        any_step(all);
+        any_surfaces_step(all);
         if (all.used == 0) between_draws(all.s);
     }
     show_all(all);

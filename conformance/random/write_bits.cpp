@@ -23,7 +23,7 @@ ColorMaskBits any_mask_bits(Random& r, const Profile& p) {
     return {any_bits(r, p), any_bits(r, p), any_bits(r, p), any_bits(r, p)};
 }
 
-void any_step(Script& s) {
+void any_write_bits_step(Script& s) {
     Random& r = s.random;
     const int kind = r.below(100);
     if (kind < 15) return add(s, any_clear(r));
@@ -62,7 +62,7 @@ Case write_bits_case(Random& r) {
         state.scissor = r.chance(20) ? any_scissor(r, s.out.width, s.out.height) : ScissorState{};
         state.shade_model = r.any(ShadeModel::Smooth);
         state.texture = any_texture_state(r);
-        any_step(s);
+        any_write_bits_step(s);
         between_draws(s);
     }
     return s.out;

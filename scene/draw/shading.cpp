@@ -29,7 +29,7 @@ const std::vector<double>& fractions() {
 }
 
 /// Row and column of the four texels around a point, and how far it is from the first.
-struct Place {
+struct TexelPlace {
     std::array<std::size_t, 2> row, column;
     double f, g;
 };
@@ -39,7 +39,7 @@ struct Wraps {
     Wrap s, t;
 };
 
-Place place_in(const TextureLevel& level, const dvec2& st, Wraps wraps) {
+TexelPlace place_in(const TextureLevel& level, const dvec2& st, Wraps wraps) {
     const double u = st.x * level.width - 0.5, v = st.y * level.height - 0.5;
     const double i = std::floor(u), j = std::floor(v);
     const auto row = [&](double k) {
@@ -51,7 +51,7 @@ Place place_in(const TextureLevel& level, const dvec2& st, Wraps wraps) {
 
 /// Bilinear: texel centres lie at half numbers.
 dvec3 in_level(const TextureLevel& level, const dvec2& st, Wraps wraps) {
-    const Place p = place_in(level, st, wraps);
+    const TexelPlace p = place_in(level, st, wraps);
     const double* fraction = fractions().data();
     const auto texel = [&](std::size_t row, std::size_t column) {
         const std::uint16_t* rgba = &level.rgba[4 * (p.row[row] + p.column[column])];

@@ -32,7 +32,7 @@ dvec3 area_vector(const ObjData& obj, const Element& face) {
     return sum;
 }
 
-struct Face {
+struct FaceNormal {
     dvec3 area, normal;  ///< normal: unit, or 0 for a face without area
     std::int32_t smoothing;
 };
@@ -102,7 +102,7 @@ private:
                 visit(e, obj_.elements[e].first + i);
     }
 
-    bool smooth_together(const Face& a, const Face& b) const {
+    bool smooth_together(const FaceNormal& a, const FaceNormal& b) const {
         if (a.smoothing != b.smoothing || a.smoothing == smooth_off) return false;
         return a.smoothing != smooth_by_angle || dot3(a.normal, b.normal) >= cos_crease_;
     }
@@ -130,7 +130,7 @@ private:
         groups_.clear();
         all_ = dvec3(0);
         for (const Meeting& m : meetings) {
-            const Face& face = faces_[m.face];
+            const FaceNormal& face = faces_[m.face];
             all_ += face.area;
             if (face.smoothing > 0)
                 groups_.try_emplace(face.smoothing, 0).first->second += face.area;
@@ -139,7 +139,7 @@ private:
 
     // Compares pairs of faces only if they are smooth by angle. Of very many, each stays flat.
     dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
-        const Face& face = faces_[own];
+        const FaceNormal& face = faces_[own];
         if (is_zero(face.normal)) return all_;
         if (face.smoothing > 0) return groups_.at(face.smoothing);
         if (face.smoothing == smooth_off || meetings.size() > most_compared) return face.area;
@@ -190,7 +190,7 @@ private:
     std::unordered_map<std::int32_t, dvec3> groups_;  ///< sums at one point
     dvec3 all_{0};                                    ///< the sum of all faces there
     double cos_crease_, cos_half_crease_;
-    std::vector<Face> faces_;
+    std::vector<FaceNormal> faces_;
     std::vector<std::uint32_t> begin_;
     std::vector<Meeting> meetings_;
 };
