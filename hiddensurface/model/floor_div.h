@@ -1,3 +1,4 @@
+// Division of integers that rounds down, also below 0.
 #pragma once
 
 namespace gw::hiddensurface {

@@ -3,6 +3,9 @@
 /** By path from what was dropped: "room/textures/wood.png". */
 export type Dropped = Record<string, File>;
 
+/** A file or folder that cannot be read; the message is its name. */
+export class Unreadable extends Error {}
+
 export const byName = (files: Iterable<File>): Dropped =>
   Object.fromEntries([...files].map((file) => [file.name, file]));
 
@@ -60,7 +63,7 @@ async function addFolder({ entry, handle }: Folder, to: Dropped): Promise<void> 
   else await addEntry(entry, entry.name, to);
 }
 
-/** Rejects with the name of a folder that cannot be read. */
+/** Rejects with Unreadable. */
 export async function droppedFiles(data: DataTransfer): Promise<Dropped> {
   // All of the data is gone after the first await.
   const folders: Folder[] = [];
@@ -73,7 +76,7 @@ export async function droppedFiles(data: DataTransfer): Promise<Dropped> {
   const names = new Set(folders.map(({ entry }) => entry.name));
   const files = byName([...data.files].filter(({ name }) => !names.has(name)));
   for (const folder of folders)
-    await addFolder(folder, files).catch(() => Promise.reject(new Error(folder.entry.name)));
+    await addFolder(folder, files).catch(() => Promise.reject(new Unreadable(folder.entry.name)));
   return files;
 }
 

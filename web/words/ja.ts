@@ -134,7 +134,7 @@ export const ja: Words = {
   lab_hidden_look:
     '絵をドラッグすると視点が動きます。アルゴリズムは何を問い直し、どこで誤るでしょうか。',
   lab_scene: 'シーン',
-  lab_own: '自分のファイルを開く（OBJ、glTF、TOML と、その参照ファイル）',
+  lab_own: '自分のファイルを開く（OBJ、glTF、TOML と関連ファイル）',
   lab_no_scene: 'シーンがありません。OBJ、glTF、TOML のどれかのファイルが必要です。',
   lab_size: '大きさ',
   lab_profile: 'プロファイル',
