@@ -71,7 +71,7 @@ async function decodedByBrowser(bytes: Uint8Array): Promise<Picture> {
     colorSpaceConversion: 'none',
     imageOrientation: 'none',
     premultiplyAlpha: 'none',
-  });
+  }).catch(() => Promise.reject(new Error('the browser cannot read it')));
   const { width, height } = bitmap;
   const context = new OffscreenCanvas(width, height).getContext('2d')!;
   context.drawImage(bitmap, 0, 0);
