@@ -24,6 +24,12 @@ Primitive primitive_of(GLenum mode, bool whole_strips) {
     return Primitive::Triangles;
 }
 
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
 }  // namespace
 
 void Assembly::add(std::span<const AssembledVertex> added, std::uint32_t material) {
@@ -37,13 +43,9 @@ void Assembly::add(std::span<const AssembledVertex> added, std::uint32_t materia
 
 bool Assembly::operator==(const Assembly& other) const {
     static_assert(sizeof(AssembledVertex) == 20 * sizeof(float));  // no padding
-    return primitive == other.primitive && vertices.size() == other.vertices.size() &&
-           std::memcmp(vertices.data(), other.vertices.data(),
-                       vertices.size() * sizeof(AssembledVertex)) == 0 &&
-           further_texcoords.size() == other.further_texcoords.size() &&
-           std::memcmp(further_texcoords.data(), other.further_texcoords.data(),
-                       further_texcoords.size() * sizeof(FurtherTexcoords)) == 0 &&
-           indices == other.indices && polygon_sizes == other.polygon_sizes;
+    return primitive == other.primitive && same_bytes(vertices, other.vertices) &&
+           same_bytes(further_texcoords, other.further_texcoords) && indices == other.indices &&
+           polygon_sizes == other.polygon_sizes;
 }
 
 bool Assembly::takes(GLenum mode, bool whole_strips) const {

@@ -38,53 +38,62 @@ const std::vector<ArrayVertex> vertices{{{255, 0, 0, 255}, {2, 3}},
 const std::vector<GLushort> indices{9, 9, 0, 1, 2, 1, 3, 2, 2, 4, 0};
 
 /// Sets the arrays from an address or an offset on.
-void set_arrays(const GLubyte* base) {
-    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ArrayVertex), base + offsetof(ArrayVertex, color));
-    glVertexPointer(2, GL_FLOAT, sizeof(ArrayVertex), base + offsetof(ArrayVertex, position));
+void set_arrays(std::size_t base) {
+    glColorPointer(4, GL_UNSIGNED_BYTE, sizeof(ArrayVertex),
+                   offset(base + offsetof(ArrayVertex, color)));
+    glVertexPointer(2, GL_FLOAT, sizeof(ArrayVertex),
+                    offset(base + offsetof(ArrayVertex, position)));
     glEnableClientState(GL_COLOR_ARRAY);
     glEnableClientState(GL_VERTEX_ARRAY);
 }
-void set_arrays_in_memory() { set_arrays(reinterpret_cast<const GLubyte*>(vertices.data())); }
+void set_arrays_in_memory() { set_arrays(reinterpret_cast<std::size_t>(vertices.data())); }
 /// 16 other bytes stand before them.
 GLuint set_arrays_in_buffer() {
     std::vector<GLubyte> bytes(16 + vertices.size() * sizeof(ArrayVertex), 0xCD);
     std::memcpy(&bytes[16], vertices.data(), vertices.size() * sizeof(ArrayVertex));
     const GLuint name = buffer_of(GL_ARRAY_BUFFER, bytes);
-    set_arrays(static_cast<const GLubyte*>(offset(16)));
+    set_arrays(16);
     glBindBuffer(GL_ARRAY_BUFFER, 0);  // the arrays keep it
     return name;
 }
 
+/// Index k of those at an address: of memory, or in a buffer.
+const GLvoid* index_at(std::size_t address, std::size_t k) {
+    return offset(address + k * sizeof(GLushort));
+}
+
 struct DrawCase {
     const char* name;
-    void (*draw)(const GLushort* indices);
+    void (*draw)(std::size_t indices);
 };
 constexpr DrawCase draws[] = {
-    {"DrawArrays", [](const GLushort*) { glDrawArrays(GL_TRIANGLE_STRIP, 1, 4); }},
+    {"DrawArrays", [](std::size_t) { glDrawArrays(GL_TRIANGLE_STRIP, 1, 4); }},
     {"DrawElements",
-     [](const GLushort* at) { glDrawElements(GL_TRIANGLES, 9, GL_UNSIGNED_SHORT, at + 2); }},
+     [](std::size_t at) { glDrawElements(GL_TRIANGLES, 9, GL_UNSIGNED_SHORT, index_at(at, 2)); }},
     {"DrawElements of a strip",
-     [](const GLushort* at) { glDrawElements(GL_TRIANGLE_STRIP, 9, GL_UNSIGNED_SHORT, at + 2); }},
+     [](std::size_t at) {
+         glDrawElements(GL_TRIANGLE_STRIP, 9, GL_UNSIGNED_SHORT, index_at(at, 2));
+     }},
     {"DrawRangeElements",
-     [](const GLushort* at) {
-         glDrawRangeElements(GL_TRIANGLES, 0, 4, 9, GL_UNSIGNED_SHORT, at + 2);
+     [](std::size_t at) {
+         glDrawRangeElements(GL_TRIANGLES, 0, 4, 9, GL_UNSIGNED_SHORT, index_at(at, 2));
      }},
     {"ArrayElement",
-     [](const GLushort*) {
+     [](std::size_t) {
          glBegin(GL_TRIANGLES);
          for (const GLint i : {0, 1, 2}) glArrayElement(i);
          glEnd();
      }},
     {"MultiDrawArrays",
-     [](const GLushort*) {
+     [](std::size_t) {
          const std::array<GLint, 3> first{0, 0, 2};
          const std::array<GLsizei, 3> count{3, 0, 3};
          glMultiDrawArrays(GL_TRIANGLES, first.data(), count.data(), 3);
      }},
     {"MultiDrawElements",
-     [](const GLushort* at) {
+     [](std::size_t at) {
          const std::array<GLsizei, 2> count{3, 6};
-         const std::array<const GLvoid*, 2> starts{at + 2, at + 5};
+         const std::array<const GLvoid*, 2> starts{index_at(at, 2), index_at(at, 5)};
          glMultiDrawElements(GL_TRIANGLES, count.data(), GL_UNSIGNED_SHORT, starts.data(), 2);
      }},
 };
@@ -96,19 +105,19 @@ TEST(GlBuffers, ArraysAndIndicesInThemDrawWhatMemoryDraws) {
         SCOPED_TRACE(c.name);
         const auto from_memory = [&] {
             set_arrays_in_memory();
-            c.draw(indices.data());
+            c.draw(reinterpret_cast<std::size_t>(indices.data()));
         };
         expect_same_picture(from_memory, [&] {
             set_arrays_in_buffer();
             buffer_of(GL_ELEMENT_ARRAY_BUFFER, indices);
-            c.draw(nullptr);
+            c.draw(0);
             expect_error(GL_NO_ERROR, c.name);
         });
         expect_same_picture(from_memory, [&] {  // a list keeps the values
             const GLuint buffer = set_arrays_in_buffer();
             buffer_of(GL_ELEMENT_ARRAY_BUFFER, indices);
             glNewList(1, GL_COMPILE);
-            c.draw(nullptr);
+            c.draw(0);
             glEndList();
             glDeleteBuffers(1, &buffer);
             glCallList(1);
@@ -358,7 +367,7 @@ TEST(GlBuffers, NamesLiveAsTheirObjectsDo) {
         glBindBuffer(target, name);
         EXPECT_EQ(bound(query), name);
     }
-    set_arrays(nullptr);
+    set_arrays(0);
     EXPECT_EQ(bound(GL_VERTEX_ARRAY_BUFFER_BINDING), name);
     glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
     for (const auto& [target, query] : bindings) glBindBuffer(target, 0);

@@ -141,12 +141,13 @@ TEST(GlCompressedTextures, WrongCallsAreErrorsAndChangeNothing) {
     expect(GL_INVALID_ENUM, "target");
     glCompressedTexImage1D(GL_TEXTURE_1D, 0, format, 4, 0, 8, block.data());
     expect(GL_INVALID_ENUM, "one dimension");
-    glCompressedTexImage2D(GL_TEXTURE_2D, 0, format, 6, 6, 1, 32, block.data());
+    const Bytes four_blocks(32);
+    glCompressedTexImage2D(GL_TEXTURE_2D, 0, format, 6, 6, 1, 32, four_blocks.data());
     expect(GL_INVALID_OPERATION, "border");
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 1, 0, 3, 4, format, 8, block.data());
     expect(GL_INVALID_OPERATION, "half a block");
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_COMPRESSED_RGBA_S3TC_DXT3_EXT, 16,
-                              block.data());
+                              four_blocks.data());
     expect(GL_INVALID_OPERATION, "another format");
     glCompressedTexSubImage2D(GL_TEXTURE_2D, 0, 4, 0, 4, 4, format, 8, block.data());
     expect(GL_INVALID_VALUE, "outside");

@@ -51,7 +51,7 @@ void draw_by_calls() {
 /// `base`: where the corners are; null: in the bound buffer.
 void set_arrays(const Corner* base) {
     const auto at = [&](std::size_t offset) {
-        return reinterpret_cast<const char*>(base) + offset;
+        return reinterpret_cast<const void*>(reinterpret_cast<std::size_t>(base) + offset);
     };
     glVertexPointer(2, GL_FLOAT, sizeof(Corner), at(offsetof(Corner, position)));
     glEnableClientState(GL_VERTEX_ARRAY);
