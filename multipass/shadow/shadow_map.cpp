@@ -151,9 +151,9 @@ std::vector<scene::View> light_views(const scene::Light& light, const scene::Sce
     std::vector<scene::View> views = light_views(light, scene::bounds(scene), size);
     if (light.kind == scene::LightKind::Directional) return views;
     scene::Scene casters;
-    for (const scene::Object& object : scene.objects)
-        if (object.casts_shadow && scene.materials[object.material].d >= 1)
-            casters.objects.push_back(object);
+    for (const scene::Object& caster : scene.objects)
+        if (caster.casts_shadow && scene.materials[caster.material].d >= 1)
+            casters.objects.push_back(caster);
     for (scene::View& view : views)
         view = scene::sparing_near(view, casters, scene::edge_on_in_map(view));
     return views;

@@ -96,9 +96,8 @@ namespace {
 scene::Scene crossed_sheets(double lift) {
     MeshData data{.primitive = Primitive::Quads};
     for (const float z : {0.0f, float(lift)})
-        for (const auto& [x, y] :
-             {std::pair(-2, -2), std::pair(2, -2), std::pair(2, 2), std::pair(-2, 2)})
-            data.positions.push_back(vec3(float(x), float(y), y < 0 ? z : -z));
+        for (const ivec2& at : {ivec2(-2, -2), ivec2(2, -2), ivec2(2, 2), ivec2(-2, 2)})
+            data.positions.push_back(vec3(float(at.x), float(at.y), at.y < 0 ? z : -z));
     scene::Scene scene = polygon_scene(std::move(data));
     scene.camera = scene::Camera{.eye = {0, 0, 10}, .at = {0, 0, 0}};
     return scene;

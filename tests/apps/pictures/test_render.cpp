@@ -252,8 +252,8 @@ material = {Ka = 0, Kd = 0, Ke = 1}
 )" + lines.lamp);
         return render({"s.toml", "-o", file, "--renderer", renderer, "--samples", "4"});
     }
-    static std::string warning(const std::string& renderer, const std::string& effects) {
-        return "gw: warning: renderer '" + renderer + "' leaves out of this scene: " + effects +
+    static std::string warning(const std::string& renderer, const std::string& left_out) {
+        return "gw: warning: renderer '" + renderer + "' leaves out of this scene: " + left_out +
                "\n";
     }
 };

@@ -5,6 +5,7 @@
 #include "conformance/generate/pixels.h"
 #include "conformance/generate/script.h"
 #include "conformance/generate/state.h"
+#include "tests/fuzz/suites.h"
 #include "tests/gw/workbench.h"
 
 namespace gw::fuzz {
