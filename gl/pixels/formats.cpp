@@ -61,7 +61,8 @@ int component_count(GLenum format) {
         case GL_RGB:
         case GL_BGR: return 3;
         case GL_RGBA:
-        case GL_BGRA: return 4;
+        case GL_BGRA:
+        case GL_ABGR_EXT: return 4;
     }
     return 0;
 }

@@ -67,6 +67,8 @@ const PackedType* packed_type(GLenum type) {
 bool is_packed_format(const PackedType& packed, GLenum format) {
     if (packed.bits[2] == 0) return format == GL_DEPTH_STENCIL;
     if (packed.bits[3] == 0) return format == GL_RGB;
+    // [EXT_abgr] ABGR has alpha where others have red: only of as many bits, as on Mesa.
+    if (format == GL_ABGR_EXT) return packed.bits[0] == packed.bits[3];
     return format == GL_RGBA || format == GL_BGRA;
 }
 

@@ -55,6 +55,7 @@ bool convert(GLenum format, std::span<const std::byte> bytes, const auto& channe
     switch (format) {
         case GL_RGBA: return convert_rgba<T>(bytes, channel_of, out);
         case GL_BGRA: return convert<T, 4, 2, 1, 0, 3>(bytes, channel_of, out);
+        case GL_ABGR_EXT: return convert<T, 4, 3, 2, 1, 0>(bytes, channel_of, out);
         case GL_RGB: return convert<T, 3, 0, 1, 2, 3>(bytes, channel_of, out);
         case GL_BGR: return convert<T, 3, 2, 1, 0, 3>(bytes, channel_of, out);
         case GL_LUMINANCE: return convert<T, 1, 0, 0, 0, 1>(bytes, channel_of, out);

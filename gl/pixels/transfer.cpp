@@ -58,6 +58,7 @@ vec4 color_of(GLenum format, const std::array<double, 4>& v) {
         case GL_RGB: return {f(0), f(1), f(2), 1};
         case GL_BGR: return {f(2), f(1), f(0), 1};
         case GL_BGRA: return {f(2), f(1), f(0), f(3)};
+        case GL_ABGR_EXT: return {f(3), f(2), f(1), f(0)};
     }
     return {f(0), f(1), f(2), f(3)};
 }
@@ -74,6 +75,7 @@ std::array<double, 4> components_of(GLenum format, const vec4& c) {
         case GL_LUMINANCE_ALPHA: return {luminance, c.w};
         case GL_BGR: return {c.z, c.y, c.x};
         case GL_BGRA: return {c.z, c.y, c.x, c.w};
+        case GL_ABGR_EXT: return {c.w, c.z, c.y, c.x};
     }
     return {c.x, c.y, c.z, c.w};
 }

@@ -28,6 +28,7 @@ constexpr NamedExtension named_extensions[] = {
     {"GL_EXT_texture_object", {11, nullptr}},
     {"GL_EXT_vertex_array", {11, nullptr}},
     {"GL_SGIS_texture_edge_clamp", {11, nullptr}},
+    {"GL_EXT_abgr", {11, nullptr}},
     {"GL_EXT_bgra", {11, nullptr}},
     {"GL_EXT_polygon_offset", {11, &Extensions::polygon_offset}},
     {"GL_EXT_blend_color", {11, &Extensions::blend_color}},

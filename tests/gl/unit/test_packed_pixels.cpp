@@ -45,6 +45,8 @@ TEST(GlPackedPixels, ComponentsHaveTheirBits) {
     EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8, 0x11223344), rgba);
     EXPECT_EQ(drawn<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV, 0x44332211), rgba);
     EXPECT_EQ(drawn<GLuint>(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, 0x44112233), rgba);
+    EXPECT_EQ(drawn<GLuint>(GL_ABGR_EXT, GL_UNSIGNED_INT_8_8_8_8, 0x44332211), rgba);
+    EXPECT_EQ(drawn<GLushort>(GL_ABGR_EXT, GL_UNSIGNED_SHORT_4_4_4_4_REV, 0x1234), rgba);
     const Color blue{0, 0, 255, 255};
     EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_5_5_5_1, 31 << 1 | 1), blue);
     EXPECT_EQ(drawn<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_1_5_5_5_REV, 1 << 15 | 31 << 10), blue);
@@ -59,6 +61,7 @@ TEST(GlPackedPixels, ReadPixelsRoundsToNearest) {
     EXPECT_EQ(read_back<GLushort>(GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, color), 0xF80A);
     EXPECT_EQ(read_back<GLuint>(GL_RGBA, GL_UNSIGNED_INT_8_8_8_8, color), 0xFF8100AAu);
     EXPECT_EQ(read_back<GLuint>(GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, color), 0xAAFF8100u);
+    EXPECT_EQ(read_back<GLuint>(GL_ABGR_EXT, GL_UNSIGNED_INT_8_8_8_8, color), 0xAA0081FFu);
 }
 
 TEST(GlPackedPixels, SwappedBytesAreThoseOfTheNumber) {

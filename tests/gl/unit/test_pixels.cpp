@@ -28,7 +28,7 @@ std::vector<Color> noise(const Window& window) {
 TEST(GlPixels, EveryFormatAndTypeReadsBackWhatItDraws) {
     for (const GLenum type : {GL_UNSIGNED_BYTE, GL_BYTE, GL_UNSIGNED_SHORT, GL_SHORT,
                               GL_UNSIGNED_INT, GL_INT, GL_FLOAT})
-        for (const GLenum format : {GL_RGBA, GL_BGRA}) {
+        for (const GLenum format : {GL_RGBA, GL_BGRA, GL_ABGR_EXT}) {
             const Window window;
             const auto pixels = noise(window);
             EXPECT_EQ(window.pixels(), pixels);
@@ -44,8 +44,14 @@ TEST(GlPixels, EveryFormatAndTypeReadsBackWhatItDraws) {
 
 TEST(GlPixels, BytesOfEveryFormatAreChannels) {
     const std::vector<std::pair<GLenum, std::vector<std::size_t>>> formats{
-        {GL_RGBA, {0, 1, 2, 3}}, {GL_BGRA, {2, 1, 0, 3}}, {GL_RGB, {0, 1, 2}}, {GL_BGR, {2, 1, 0}},
-        {GL_RED, {0}},           {GL_BLUE, {2}},          {GL_ALPHA, {3}}};
+        {GL_RGBA, {0, 1, 2, 3}},
+        {GL_BGRA, {2, 1, 0, 3}},
+        {GL_RGB, {0, 1, 2}},
+        {GL_BGR, {2, 1, 0}},
+        {GL_ABGR_EXT, {3, 2, 1, 0}},
+        {GL_RED, {0}},
+        {GL_BLUE, {2}},
+        {GL_ALPHA, {3}}};
     const Window window;
     const auto pixels = noise(window);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -65,19 +71,22 @@ TEST(GlPixels, BytesOfEveryFormatAreChannels) {
 }
 
 TEST(GlPixels, BytesOfEveryFormatAreDrawn) {
-    const std::vector<std::pair<GLenum, Color>> formats{
-        {GL_RGB, {10, 90, 200, 255}},      {GL_BGR, {200, 90, 10, 255}},
-        {GL_BGRA, {200, 90, 10, 40}},      {GL_LUMINANCE_ALPHA, {10, 10, 10, 90}},
-        {GL_LUMINANCE, {10, 10, 10, 255}}, {GL_GREEN, {0, 10, 0, 255}}};
+    const std::vector<std::pair<GLenum, Color>> formats{{GL_RGB, {10, 90, 200, 255}},
+                                                        {GL_BGR, {200, 90, 10, 255}},
+                                                        {GL_BGRA, {200, 90, 10, 40}},
+                                                        {GL_ABGR_EXT, {40, 200, 90, 10}},
+                                                        {GL_LUMINANCE_ALPHA, {10, 10, 10, 90}},
+                                                        {GL_LUMINANCE, {10, 10, 10, 255}},
+                                                        {GL_GREEN, {0, 10, 0, 255}}};
     const std::array<GLubyte, 4> components{10, 90, 200, 40};
     for (const auto& [format, expected] : formats) {
         const Window window;
         use_pixel_coordinates(window);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        const std::size_t count = format == GL_BGRA                      ? 4
-                                  : format == GL_RGB || format == GL_BGR ? 3
-                                  : format == GL_LUMINANCE_ALPHA         ? 2
-                                                                         : 1;
+        const std::size_t count = format == GL_BGRA || format == GL_ABGR_EXT ? 4
+                                  : format == GL_RGB || format == GL_BGR     ? 3
+                                  : format == GL_LUMINANCE_ALPHA             ? 2
+                                                                             : 1;
         std::vector<GLubyte> bytes;
         for (std::size_t i = 0; i < 27 * 25 * count; ++i) bytes.push_back(components[i % count]);
         glRasterPos2i(3, 2);

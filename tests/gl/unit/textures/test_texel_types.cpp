@@ -32,8 +32,8 @@ TEST(GlTextures, TexelsWithoutTransferAreThoseOfATransferThatChangesNothing) {
     };
     for (const GLenum type : {GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_UNSIGNED_SHORT, GL_INT,
                               GL_UNSIGNED_INT, GL_FLOAT})
-        for (const GLenum format :
-             {GL_RGBA, GL_BGRA, GL_RGB, GL_BGR, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED})
+        for (const GLenum format : {GL_RGBA, GL_BGRA, GL_ABGR_EXT, GL_RGB, GL_BGR, GL_LUMINANCE,
+                                    GL_LUMINANCE_ALPHA, GL_ALPHA, GL_RED})
             EXPECT_TRUE(texels(format, type, 0) == texels(format, type, 1e-30f))
                 << std::hex << format << " " << type;
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));

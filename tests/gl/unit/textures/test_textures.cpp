@@ -131,10 +131,15 @@ TEST(GlTextures, BytesOfAllFormatsAreTheirColours) {
         std::size_t size;
         std::array<int, 4> place;  // -1: 0, -2: 1
     };
-    constexpr Row rows[] = {{GL_RGBA, 4, {0, 1, 2, 3}},       {GL_BGRA, 4, {2, 1, 0, 3}},
-                            {GL_RGB, 3, {0, 1, 2, -2}},       {GL_BGR, 3, {2, 1, 0, -2}},
-                            {GL_LUMINANCE, 1, {0, 0, 0, -2}}, {GL_LUMINANCE_ALPHA, 2, {0, 0, 0, 1}},
-                            {GL_ALPHA, 1, {-1, -1, -1, 0}},   {GL_GREEN, 1, {-1, 0, -1, -2}}};
+    constexpr Row rows[] = {{GL_RGBA, 4, {0, 1, 2, 3}},
+                            {GL_BGRA, 4, {2, 1, 0, 3}},
+                            {GL_ABGR_EXT, 4, {3, 2, 1, 0}},
+                            {GL_RGB, 3, {0, 1, 2, -2}},
+                            {GL_BGR, 3, {2, 1, 0, -2}},
+                            {GL_LUMINANCE, 1, {0, 0, 0, -2}},
+                            {GL_LUMINANCE_ALPHA, 2, {0, 0, 0, 1}},
+                            {GL_ALPHA, 1, {-1, -1, -1, 0}},
+                            {GL_GREEN, 1, {-1, 0, -1, -2}}};
     for (const Row& row : rows) {
         std::vector<GLubyte> bytes(64 * row.size);
         for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = GLubyte(7 * i + 3);
