@@ -33,8 +33,7 @@ Boolean isqueued(Device d) { return events().queued.contains(d) ? 1 : 0; }
 long qread(short* value) {
     poll(events().queue.empty());
     if (events().queue.empty()) return 0;
-    const Event e = events().queue.front();
-    events().queue.pop_front();
+    const Event e = take();
     if (value != nullptr) *value = short(e.value);
     return long(e.device);
 }
@@ -51,8 +50,7 @@ long blkqread(short* data, short n) {
     poll(events().queue.empty());
     short count = 0;
     while (data != nullptr && count + 1 < n && !events().queue.empty()) {
-        const Event e = events().queue.front();
-        events().queue.pop_front();
+        const Event e = take();
         data[count++] = short(e.device);
         data[count++] = short(e.value);
     }

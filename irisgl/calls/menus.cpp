@@ -172,11 +172,18 @@ bool can_wait() {
     return !e.queue.empty() || !e.script.empty() || current_window().host() != nullptr;
 }
 
+bool is_button(unsigned device) { return device == RIGHTMOUSE || device == LEFTMOUSE; }
+
+/// Whether the program opens a menu because a button was pressed. By now it may be up again.
+bool follows_press() {
+    const Event& last = program().events.taken;
+    return is_button(last.device) && last.value != 0;
+}
+
 /// The entry that is chosen; null: none.
 const MenuEntry* choose(OpenMenu& m, MenuDevices& devices) {
     Window& w = current_window();
-    const bool was_down = program().events.down.contains(RIGHTMOUSE);
-    bool has_pressed = was_down;
+    bool has_pressed = follows_press() || program().events.down.contains(RIGHTMOUSE);
     for (;;) {
         paint(w.popup, m);
         w.show_again();
@@ -185,18 +192,13 @@ const MenuEntry* choose(OpenMenu& m, MenuDevices& devices) {
             if (!can_wait()) return nullptr;
             poll(true);
         }
-        const Event e = program().events.queue.front();
-        program().events.queue.pop_front();
+        const Event e = take();
         const int count = int(m.menu.entries.size());
-        if (e.device == MOUSEX || e.device == MOUSEY || e.device == RIGHTMOUSE ||
-            e.device == LEFTMOUSE) {
-            const auto& at = program().events.valuators;
-            const auto of = [&](unsigned d) { return at.contains(d) ? int(at.at(d).value) : 0; };
-            m.chosen = entry_at(m, of(MOUSEX) - w.x, of(MOUSEY) - w.y);
-            const bool is_button = e.device == RIGHTMOUSE || e.device == LEFTMOUSE;
-            if (is_button && e.value == 0 && has_pressed)
+        if (e.device == MOUSEX || e.device == MOUSEY || is_button(e.device)) {
+            m.chosen = entry_at(m, e.x - w.x, e.y - w.y);
+            if (is_button(e.device) && e.value == 0 && has_pressed)
                 return m.chosen >= 0 ? &m.menu.entries[std::size_t(m.chosen)] : nullptr;
-            has_pressed |= is_button;
+            has_pressed |= is_button(e.device);
         } else if (e.device == UPARROWKEY && e.value != 0) {
             m.chosen = m.chosen <= 0 ? count - 1 : m.chosen - 1;
         } else if (e.device == DOWNARROWKEY && e.value != 0) {
@@ -247,8 +249,11 @@ long dopup(long menu) {
     long value = -1;
     {
         MenuDevices devices;
+        const Event& last = program().events.taken;
         const auto at = [](unsigned d) { return int(program().events.valuators[d].value); };
-        value = run_menu(menu, at(MOUSEX) - w.x, at(MOUSEY) - w.y, devices, 0);
+        const int x = follows_press() ? last.x : at(MOUSEX),
+                  y = follows_press() ? last.y : at(MOUSEY);
+        value = run_menu(menu, x - w.x, y - w.y, devices, 0);
     }
     w.popup.clear();
     w.show_again();

@@ -22,6 +22,7 @@ inline constexpr unsigned parts_of_frame = 100'000, parts_of_poll = 100, parts_o
 struct Event {
     unsigned device = 0;
     long value = 0;
+    int x = 0, y = 0;  ///< where the pointer was, on the screen
 };
 
 struct Valuator {
@@ -39,6 +40,7 @@ struct ScriptedEvent {
 
 struct Events {
     std::deque<Event> queue;
+    Event taken;  ///< the last one that left the queue
     std::set<unsigned> queued;
     std::map<unsigned, std::pair<unsigned, unsigned>> ties;
     std::set<unsigned> down;
@@ -56,6 +58,8 @@ struct Events {
 void happen(unsigned device, long value);
 /// Puts into the queue whatever is queued.
 void enter(unsigned device, long value);
+/// The queue's first event, which leaves it. Precondition: there is one.
+Event take();
 /// Takes what the screen and the script have, shows what was drawn, and ends a program that waits in
 /// vain (`waits`), or has shown its last frame.
 void poll(bool waits);

@@ -119,7 +119,15 @@ void blink_colors() {
 void enter(unsigned device, long value) {
     Events& all = events();
     if (all.queue.size() >= queue_length) return;
-    all.queue.push_back({device, value});
+    const auto at = [&](unsigned valuator) { return int(all.valuators[valuator].value); };
+    all.queue.push_back({device, value, at(MOUSEX), at(MOUSEY)});
+}
+
+Event take() {
+    Events& all = events();
+    all.taken = all.queue.front();
+    all.queue.pop_front();
+    return all.taken;
 }
 
 void happen(unsigned device, long value) {

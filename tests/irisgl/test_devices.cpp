@@ -88,6 +88,27 @@ TEST_F(IrisGlMenus, ASubmenuOpensBesideItsEntry) {
     EXPECT_EQ(dopup(menu), 60);
 }
 
+// A program that is slow reads the press when the button is up again, elsewhere.
+TEST_F(IrisGlMenus, APressDragAndReleaseChooseHoweverLateTheMenuOpens) {
+    const long menu = defpup(const_cast<char*>("T %t|a|b|c"));
+    const Window& w = current_window();
+    const auto move = [&](long x, long y) {
+        happen(MOUSEX, w.x + x);
+        happen(MOUSEY, w.y + y);
+    };
+    qdevice(RIGHTMOUSE);
+    for (const long row : {1, 2, 3, 4}) {
+        move(5, 80);
+        happen(RIGHTMOUSE, 1);
+        move(15, 80 - 18 * row - 9);  // rows of 18 pixels, the first is the title
+        happen(RIGHTMOUSE, 0);
+        EXPECT_EQ(qread(nullptr), RIGHTMOUSE);
+        EXPECT_EQ(dopup(menu), row <= 3 ? row : -1) << "row " << row;
+        EXPECT_EQ(qtest(), 0);
+    }
+    unqdevice(RIGHTMOUSE);
+}
+
 TEST_F(IrisGlMenus, AGreyEntryCannotBeTaken) {
     const long menu = defpup(const_cast<char*>("a|b"));
     setpup(menu, 1, PUP_GREY);
