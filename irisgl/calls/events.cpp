@@ -72,14 +72,14 @@ Boolean getbutton(Device d) {
 }
 long getvaluator(Device d) {
     poll(false);
-    if (d < 256 || d >= 512) {
+    if (!is_valuator(d)) {
         warn("getvaluator: device " + std::to_string(d) + " is no valuator; it returns -1");
         return -1;
     }
     return events().valuators[d].value;
 }
 void setvaluator(Device d, short value, short low, short high) {
-    if (d < 256 || d >= 512) return warn("setvaluator: the device is no valuator; it is ignored");
+    if (!is_valuator(d)) return warn("setvaluator: the device is no valuator; it is ignored");
     if (low > high)
         return warn("setvaluator: the least value is above the greatest; it is ignored");
     const long at = std::clamp(value, low, high);

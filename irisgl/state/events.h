@@ -19,6 +19,9 @@ inline constexpr std::size_t queue_length = 101;
 inline constexpr unsigned parts_of_frame = 100'000, parts_of_poll = 100, parts_of_flush = 5'000,
                           parts_of_primitive = 10, parts_of_unshown_primitive = 1;
 
+/// Of mouse, dials and time; smaller numbers are buttons and keys.
+constexpr bool is_valuator(unsigned device) { return device >= 256 && device < 512; }
+
 struct Event {
     unsigned device = 0;
     long value = 0;
@@ -40,7 +43,7 @@ struct ScriptedEvent {
 
 struct Events {
     std::deque<Event> queue;
-    Event taken;  ///< the last one that left the queue
+    Event taken;  ///< the last one that left the queue, valuators aside: ties follow a button
     std::set<unsigned> queued;
     std::map<unsigned, std::pair<unsigned, unsigned>> ties;
     std::set<unsigned> down;

@@ -125,14 +125,15 @@ void enter(unsigned device, long value) {
 
 Event take() {
     Events& all = events();
-    all.taken = all.queue.front();
+    const Event first = all.queue.front();
     all.queue.pop_front();
-    return all.taken;
+    if (!is_valuator(first.device)) all.taken = first;
+    return first;
 }
 
 void happen(unsigned device, long value) {
     Events& all = events();
-    if (device >= 256 && device < 512) {
+    if (is_valuator(device)) {
         Valuator& v = all.valuators[device];
         v.value = std::clamp(value, v.low, std::max(v.low, v.high));
         const auto noise = all.noise.find(device);

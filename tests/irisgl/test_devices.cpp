@@ -97,15 +97,17 @@ TEST_F(IrisGlMenus, APressDragAndReleaseChooseHoweverLateTheMenuOpens) {
         happen(MOUSEY, w.y + y);
     };
     qdevice(RIGHTMOUSE);
+    tie(RIGHTMOUSE, MOUSEX, MOUSEY);
     for (const long row : {1, 2, 3, 4}) {
         move(5, 80);
         happen(RIGHTMOUSE, 1);
         move(15, 80 - 18 * row - 9);  // rows of 18 pixels, the first is the title
         happen(RIGHTMOUSE, 0);
-        EXPECT_EQ(qread(nullptr), RIGHTMOUSE);
+        for (const long device : {RIGHTMOUSE, MOUSEX, MOUSEY}) EXPECT_EQ(qread(nullptr), device);
         EXPECT_EQ(dopup(menu), row <= 3 ? row : -1) << "row " << row;
         EXPECT_EQ(qtest(), 0);
     }
+    tie(RIGHTMOUSE, 0, 0);
     unqdevice(RIGHTMOUSE);
 }
 

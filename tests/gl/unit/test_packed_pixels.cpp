@@ -93,6 +93,7 @@ TEST(GlPackedPixels, FormatsMustHaveTheComponents) {
     for (const auto& [format, type] :
          std::vector<std::pair<GLenum, GLenum>>{{GL_RGBA, GL_UNSIGNED_BYTE_3_3_2},
                                                 {GL_BGR, GL_UNSIGNED_SHORT_5_6_5},
+                                                {GL_ABGR_EXT, GL_UNSIGNED_SHORT_5_5_5_1},
                                                 {GL_RGB, GL_UNSIGNED_INT_8_8_8_8},
                                                 {GL_DEPTH_COMPONENT, GL_UNSIGNED_INT_8_8_8_8}}) {
         glDrawPixels(1, 1, format, type, &number);
