@@ -18,6 +18,9 @@
 #ifdef __SSE2_MATH__
 #include <xmmintrin.h>
 #endif
+#ifdef __linux__
+#include <pthread.h>
+#endif
 
 #ifdef GW_THREADS_TBB
 #include <tbb/global_control.h>
@@ -239,6 +242,15 @@ public:
     ThreadedLoop& operator=(const ThreadedLoop&) = delete;
 
     static bool have_ended() { return ended_; }
+    /// A child of fork() has none of its parent's threads, and oneTBB does not know it.
+    static void end_in_children() {
+#ifdef __linux__
+        [[maybe_unused]] static const int registered = pthread_atfork(nullptr, nullptr, [] {
+            ended_ = true;
+            all_ = of_thread_;
+        });
+#endif
+    }
     /// A signal handler's exit() may have interrupted loops of this thread.
     static void end_all() {
         ended_ = true;
@@ -258,9 +270,11 @@ void end_parallel_loops() { ThreadedLoop::end_all(); }
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body) {
     if (threads <= 0) threads = hardware_threads();
-    if (threads > 1 && count > 1) threads = granted_threads(threads);
-    if (threads == 1 || count <= 1) return serial_for(count, body);
+    if (threads == 1 || count <= 1 || ThreadedLoop::have_ended()) return serial_for(count, body);
+    threads = granted_threads(threads);
+    if (threads == 1) return serial_for(count, body);
     {
+        ThreadedLoop::end_in_children();
         const ThreadedLoop loop;
         if (!ThreadedLoop::have_ended()) return threaded_for(count, threads, body);
     }

@@ -12,7 +12,8 @@ int hardware_threads();
 
 /// Calls body(i, worker) once for each i in 0 .. count - 1 on up to `threads` threads (0: all);
 /// `worker` in 0 .. threads - 1 names the calling thread. Returns when all calls have returned and
-/// rethrows the first exception. If the system refuses threads, fewer are used.
+/// rethrows the first exception. If the system refuses threads, fewer are used; a
+/// child of fork() after the first call uses the calling one alone.
 /// Every body runs with nearest-even rounding and gradual underflow.
 void parallel_for(std::size_t count, int threads,
                   const std::function<void(std::size_t, int)>& body);

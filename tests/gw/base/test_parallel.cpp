@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #ifdef __SSE2__
@@ -78,6 +79,37 @@ TEST(ParallelDeathTest, UsesFewerThreadsWhereTheSystemRefusesThem) {
         std::exit(calls == 500 && named ? 0 : 1);
     };
     EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
+}
+
+/// Children of a process whose threads are in the middle of a loop.
+TEST(Parallel, EndsInChildrenToo) {
+#ifdef __SANITIZE_THREAD__
+    GTEST_SKIP() << "the thread sanitizer starts no threads in a child";
+#endif
+    std::atomic<bool> ends = false;
+    std::thread other([&] {
+        while (!ends) parallel_for(64, 4, [](std::size_t, int) {});
+    });
+    const auto loops = [] {
+        std::atomic<int> calls = 0;
+        for (int i = 0; i < 100; ++i) parallel_for(16, 4, [&](std::size_t, int) { ++calls; });
+        return calls == 1600;
+    };
+    loops();
+    for (int i = 0; i < 40; ++i) {
+        const pid_t child = fork();
+        if (child == 0) {
+            alarm(20);
+            const bool all = loops();
+            end_parallel_loops();
+            _exit(all ? 0 : 1);
+        }
+        int status = -1;
+        waitpid(child, &status, 0);
+        ASSERT_EQ(status, 0) << i;
+    }
+    ends = true;
+    other.join();
 }
 
 TEST(Parallel, RethrowsAnException) {
