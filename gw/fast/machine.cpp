@@ -4,6 +4,7 @@
 #include "gw/base/parallel.h"
 #include "gw/fast/plan/plan.h"
 #include "gw/fast/simd/simd_target.h"
+#include "gw/fast/tile/blit.h"
 #include "gw/fast/tile/clear.h"
 #include "gw/fast/tile/tile_run.h"
 #include "gw/sample_queries.h"
@@ -11,6 +12,7 @@
 #include "gw/stages/pixels/plane_texels.h"
 #include "gw/stages/tables.h"
 
+#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -43,6 +45,10 @@ struct Drawable {
         if (of.is_window()) planes[0] = Planes(of.width, of.height, p.color_planes);
     }
     SegmentTarget target() const { return {surface, frames[0].grid()}; }
+    /// Of a window, makes this colour plane the one in use.
+    void use_color(bool back) {
+        if (surface.is_window()) frames[0].use_color(back ? Plane::Back : Plane::Color);
+    }
     /// Of a surface without samples, or of the first one.
     Planes& read(int threads) { return read_samples(threads)[0]; }
     std::span<Planes> read_samples(int threads) {
@@ -70,8 +76,10 @@ struct Drawable {
     }
     void write_part(const Rect& rect, std::span<const Planes> parts) {
         for (std::size_t k = 0; k < frames.size(); ++k) frames[k].write(rect, parts[k]);
-        planes_are_current = false;
+        change();
     }
+    /// The frames have other values from here on.
+    void change() { planes_are_current = false; }
 
 private:
     void read(Frame& frame, Planes& to, int threads) const {
@@ -86,6 +94,18 @@ private:
             frame.read(tiles[i], rect, to);
         });
     }
+};
+
+/// The tiles of all samples at one place.
+struct SampleTiles {
+    std::array<Tile, max_samples> all;
+    std::size_t count;
+
+    SampleTiles(Drawable& of, std::size_t index) : count(of.frames.size()) {
+        for (std::size_t k = 0; k < count; ++k) all[k] = of.frames[k].tile(index);
+    }
+    SampleTiles(Drawable& of, int x, int y) : SampleTiles(of, of.frames[0].tile_at(x, y)) {}
+    std::span<const Tile> span() const { return std::span(all).first(count); }
 };
 
 class FastMachine final : public Machine {
@@ -140,7 +160,7 @@ private:
         if (segment.uses_accum) frame.need_accum();
         if (segment.scan.color_plane()) frame.use_color(*segment.scan.color_plane());
         if (segment.uses_both_colors) frame.need_other_color();
-        used_->planes_are_current = false;
+        used_->change();
         forget_texels(number_);
         const std::vector<OpCounts> totals =
             runner_.run(segment, used_->all_frames, used_->profile);
@@ -238,8 +258,40 @@ private:
         count(0, 0);
     }
     void run_barrier(const Blit& command) {
-        Resolved r = resolved();
+        const Resolved r = resolved();
         Drawable& from = drawable(command.from_surface);
+        if (stays_in_place(command, r.state.draw_buffer))
+            blit_tiles(command, r, from);
+        else
+            blit_planes(command, r, from);
+        forget_texels(number_);
+    }
+    /// Whether each pixel keeps its place, in one plane of another surface.
+    bool stays_in_place(const Blit& c, DrawBuffer to) const {
+        return c.from_surface != number_ && c.source == c.target && !c.flip_x && !c.flip_y &&
+               (to == DrawBuffer::Front || to == DrawBuffer::Back);
+    }
+    /// Copies tile by tile.
+    void blit_tiles(const Blit& command, const Resolved& r, Drawable& from) {
+        const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+        const Rect box = intersect(intersect(r.pixel_box, command.target),
+                                   {0, 0, from.surface.width, from.surface.height});
+        for (const Plane plane : every_plane)
+            if (planes & mask_of(plane))
+                count(box.area(),
+                      blit_bytes(plane, from.surface, used_->surface, r.state, used_->profile));
+        if (planes & mask_of(Plane::Color)) {
+            from.use_color(machine_.state.read_buffer == ReadBuffer::Back);
+            used_->use_color(r.state.draw_buffer == DrawBuffer::Back);
+        }
+        const std::vector<std::size_t> tiles = used_->frames[0].tiles_of(box);
+        parallel_for(tiles.size(), threads_, [&](std::size_t i, int) {
+            const SampleTiles to(*used_, tiles[i]), source(from, to.all[0].x, to.all[0].y);
+            blit_blocks({source.span(), to.span(), block_box(box, to.all[0]), planes});
+        });
+        used_->change();
+    }
+    void blit_planes(const Blit& command, Resolved r, Drawable& from) {
         const BlitParts parts = blit_parts(command, r.pixel_box, from.surface);
         r.pixel_box = {0, 0, parts.target.width, parts.target.height};
         const Profile& p = used_->profile;
@@ -258,7 +310,6 @@ private:
             count(pixels, blit_bytes(plane, from.surface, used_->surface, r.state, p));
         }
         used_->write_part(parts.target, to);
-        forget_texels(number_);
     }
     void run_barrier(const auto&) {}
 

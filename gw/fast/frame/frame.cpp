@@ -173,8 +173,7 @@ std::vector<std::size_t> Frame::tiles_of(const Rect& rect) const {
 Frame::DepthPlace Frame::depth_place(int x, int y) const {
     const int mask = grid_.side() - 1, i = x & mask, j = y & mask;
     const int bx = i / block_side, by = j / block_side;
-    const std::size_t tile =
-        std::size_t((y >> grid_.log2_tile) * grid_.columns() + (x >> grid_.log2_tile));
+    const std::size_t tile = tile_at(x, y);
     const std::size_t first = tile * grid_.blocks_per_tile();
     const int groups_per_row = grid_.side() / group_side;
     return {&uniform_[first / (group_blocks * group_blocks) +

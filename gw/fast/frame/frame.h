@@ -105,6 +105,10 @@ public:
     void write(const Rect& rect, const Planes& planes);
     Rect whole() const { return {0, 0, grid_.width, grid_.height}; }
     std::vector<std::size_t> tiles_of(const Rect& rect) const;
+    /// The tile of a pixel.
+    std::size_t tile_at(int x, int y) const {
+        return std::size_t((y >> grid_.log2_tile) * grid_.columns() + (x >> grid_.log2_tile));
+    }
 
     /// Where the depth of a pixel is stored.
     struct DepthPlace {
