@@ -290,10 +290,6 @@ void set_attachments(gw::State& out, const Context& context) {
         out.color_mask = {false, false, false, false};
     else if (base_format(color->internal_format) == GL_RGB)
         out.color_mask.a = false;
-    const MultisampleState& m = context.state.multisample;
-    if (samples_of(context.framebuffers.draw) > 0)
-        out.multisample = {m.multisample, m.alpha_to_coverage, m.alpha_to_one,
-                           m.coverage,    m.coverage_value,    m.coverage_invert};
     if (!f.at(Plane::Depth).is_given()) out.depth.test = out.depth.mask = false;
     if (!f.at(Plane::Stencil).is_given()) {
         out.stencil.test = false;
@@ -306,6 +302,10 @@ void set_attachments(gw::State& out, const Context& context) {
 }
 
 void set_buffers(gw::State& out, const Context& context) {
+    const MultisampleState& m = context.state.multisample;
+    if (draw_samples(context) > 0)
+        out.multisample = {m.multisample, m.alpha_to_coverage, m.alpha_to_one,
+                           m.coverage,    m.coverage_value,    m.coverage_invert};
     if (context.framebuffers.draw) return set_attachments(out, context);
     const GLenum draw = context.state.color_buffer.draw_buffer,
                  read = context.state.pixel.read_buffer;

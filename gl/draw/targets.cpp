@@ -102,6 +102,13 @@ int depth_bits(const Context& context, const FramebufferRef& framebuffer) {
     return image ? depth_bits_of(context.profile, image->internal_format) : 0;
 }
 
+int samples(const FramebufferRef& framebuffer, const Drawable* window) {
+    if (!framebuffer) return window != nullptr ? window->samples() : 0;
+    for (const Attachment& a : framebuffer->attachments)
+        if (const auto image = attached_image(a)) return image->samples;
+    return 0;
+}
+
 }  // namespace
 
 GLenum framebuffer_status(const Context& context, const FramebufferRef& framebuffer) {
@@ -119,7 +126,8 @@ bool can_read(Context& context, Plane plane) {
     if (!can_read(context)) return false;
     const FramebufferRef& f = context.framebuffers.read;
     const bool is_off = plane == Plane::Color && context.state.pixel.read_buffer == GL_NONE;
-    if (!is_off && samples_of(f) == 0 && (!f || f->at(plane).is_given())) return true;
+    const bool has_plane = !f || (f->at(plane).is_given() && read_samples(context) == 0);
+    if (!is_off && has_plane) return true;
     set_error(context, GL_INVALID_OPERATION);
     return false;
 }
@@ -168,11 +176,11 @@ int most_samples(const Context& context) {
     return context.profile.extensions.multisample ? max_samples : 0;
 }
 
-int samples_of(const FramebufferRef& framebuffer) {
-    if (framebuffer)
-        for (const Attachment& a : framebuffer->attachments)
-            if (const auto image = attached_image(a)) return image->samples;
-    return 0;
+int draw_samples(const Context& context) {
+    return samples(context.framebuffers.draw, context.window);
+}
+int read_samples(const Context& context) {
+    return samples(context.framebuffers.read, context.read_window);
 }
 
 void finish_counts(Context& context) {

@@ -16,7 +16,8 @@ bool is_draw_complete(const Context& context);
 /// Whether it is complete; else the error INVALID_FRAMEBUFFER_OPERATION.
 bool can_draw(Context& context);
 bool can_read(Context& context);
-/// Whether the framebuffer that is read has a plane, and no samples. Else, or if it is not complete, the error.
+/// Whether the framebuffer that is read has a plane, and is no object with samples. Else, or if it is
+/// not complete, the error.
 bool can_read(Context& context, Plane plane);
 
 /// Binds framebuffers; null: the window. Queries go on where the context draws then.
@@ -39,8 +40,9 @@ void finish_counts(Context& context);
 
 /// GL_MAX_SAMPLES.
 int most_samples(const Context& context);
-/// GL_SAMPLES of a framebuffer; null: of the window.
-int samples_of(const FramebufferRef& framebuffer);
+/// GL_SAMPLES of the framebuffer that is drawn to or read from.
+int draw_samples(const Context& context);
+int read_samples(const Context& context);
 
 /// Of the framebuffer that is drawn to or read from; 0: it has no depth.
 int draw_depth_bits(const Context& context);

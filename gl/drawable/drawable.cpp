@@ -4,6 +4,7 @@
 #include "gw/base/parallel.h"
 
 #include <malloc.h>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -33,13 +34,16 @@ std::unique_ptr<FrameLog>& log = *new std::unique_ptr<FrameLog>;
 FrameLog* frame_log() { return log.get(); }
 void set_frame_log(std::unique_ptr<FrameLog> to) { log = std::move(to); }
 
-Drawable::Drawable(const Profile& profile, int width, int height, std::string name, Buffers buffers)
+Drawable::Drawable(const Profile& profile, int width, int height, std::string name, Buffers buffers,
+                   int samples)
     : name_(std::move(name)),
       width_(width),
       height_(height),
       buffers_(buffers),
+      wanted_samples_(samples),
       machine_(make_machine(profile, width, height)) {
     [[maybe_unused]] static const bool is_kept = keep_freed_memory();
+    make_samples();
     if (log) log->open(*this);
 }
 
@@ -47,6 +51,25 @@ Drawable::~Drawable() {
     end_background();
     counts_.forget_segments();
     if (log) log->close(*this);
+}
+
+void Drawable::make_samples() {
+    const int count = fitting_samples(width_, height_, wanted_samples_);
+    if (count != wanted_samples_)
+        std::fprintf(stderr,
+                     "gw: warning: %s: %d x %d pixels have %d samples, not %d; the machine has at "
+                     "most %lld in all\n",
+                     name_.c_str(), width_, height_, count, wanted_samples_,
+                     static_cast<long long>(max_surface_samples));
+    samples_ = count > 0 ? std::optional(WindowSamples(width_, height_, count)) : std::nullopt;
+}
+
+CommandList Drawable::resolve_samples() {
+    if (!samples_) return {};
+    CommandList list;
+    samples_->resolve(surface_planes, *state(), list);
+    execute_reads(list);
+    return samples_->remade(*state());
 }
 
 void Drawable::resize(int width, int height) {
@@ -58,6 +81,7 @@ void Drawable::resize(int width, int height) {
     width_ = width;
     height_ = height;
     is_back_old_ = false;
+    make_samples();
     frame_.drop();
     counts_.forget_segments();
     if (log) log->open(*this);
@@ -73,6 +97,10 @@ void Drawable::add(Command command, std::span<const CallRun> calls) {
     const auto lock = exclusive();
     if (log && frame_.is_new()) log->begin_frame(*this);
     if (is_back_old_) bring_back_up_to_date(command);
+    if (samples_) {
+        frame_.begin();
+        samples_->prepare(command, frame_.state_or_initial(), frame_.list());
+    }
     if (!are_counts_paused_ && !std::holds_alternative<SetState>(command))
         if (const auto query = counts_.begin_segment()) frame_.add(*query);
     frame_.add(std::move(command), calls);
@@ -83,7 +111,7 @@ void Drawable::bring_back_up_to_date(const Command& command) {
     if (std::holds_alternative<SetState>(command)) return;
     if (const auto* clear = std::get_if<gw::Clear>(&command)) {
         if ((clear->planes & mask_of(Plane::Color)) == 0) return;
-        const gw::State now = state() != nullptr ? *state() : gw::State();
+        const gw::State now = frame_.state_or_initial();
         if (now.draw_buffer == DrawBuffer::Back && !now.scissor.test &&
             now.color_mask == ColorMask{} && now.color_mask_bits == ColorMaskBits{}) {
             is_back_old_ = false;
@@ -95,7 +123,7 @@ void Drawable::bring_back_up_to_date(const Command& command) {
 
 void Drawable::copy_to_back() {
     is_back_old_ = false;
-    const gw::State kept = state() != nullptr ? *state() : gw::State();
+    const gw::State kept = frame_.state_or_initial();
     gw::State copying;
     copying.draw_buffer = DrawBuffer::Back;
     copying.read_buffer = gw::ReadBuffer::Front;
@@ -177,6 +205,7 @@ void Drawable::settle() {
         // After an error, the machine's state is not known.
         executed_.list.commands.clear();
         frame_.drop();
+        if (samples_) samples_->forget();
         counts_.forget_segments();
         throw;
     }
@@ -212,6 +241,7 @@ bool Drawable::swap_behind() {
 
 void Drawable::start_behind(FrameTarget target) {
     select(gw::ReadBuffer::Front);
+    read_window(Plane::Color);
     frame_.add_read(Plane::Color, {0, 0, width_, height_}, true);
     machine_->read_into(0, target.pixels, target.layout);
     frame_.reuse(std::exchange(executed_, frame_.take()));
@@ -230,8 +260,11 @@ void Drawable::flush(Cause cause) {
     if (!frame_.has_commands()) return;
     CollectedCommands commands = frame_.take();
     auto state = frame_.take_state();
+    const auto samples = samples_;
+    if (samples_) samples_->forget();
     machine_->execute(commands.list);
     frame_.restore_state(std::move(state));
+    samples_ = samples;
     if (log) {
         Counters sum;
         for (const PassReport& pass : machine_->passes()) sum += pass.counters;
@@ -282,6 +315,7 @@ void Drawable::swap() {
     }
     if (has_back_plane()) add(SwapBuffers{});
     is_back_old_ = has_back_plane() && swap_method_ == SwapMethod::Copy;
+    if (samples_ && has_back_plane() && samples_->follow_swap()) is_back_old_ = false;
     if (!swap_behind()) {
         flush_swapped();
         present();
@@ -290,15 +324,20 @@ void Drawable::swap() {
 }
 
 void Drawable::select(gw::ReadBuffer buffer) {
-    gw::State state = frame_.state() != nullptr ? *frame_.state() : gw::State();
+    gw::State state = frame_.state_or_initial();
     if (state.read_buffer == buffer) return;
     state.read_buffer = buffer;
     set_state(state);
 }
 
+void Drawable::read_window(Plane plane) {
+    if (samples_) samples_->resolve(mask_of(plane), frame_.state_or_initial(), frame_.list());
+}
+
 void Drawable::execute_read(Plane plane, const Rect& rect, Cause cause, bool packed) {
     const bool is_of_back = state() != nullptr && state()->read_buffer == gw::ReadBuffer::Back;
     if (is_back_old_ && is_of_back) copy_to_back();
+    read_window(plane);
     frame_.add_read(plane, rect, packed);
     flush(cause);
 }

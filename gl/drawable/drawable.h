@@ -10,6 +10,7 @@
 #include "gl/drawable/sample_counts.h"
 #include "gl/drawable/settings.h"
 #include "gl/drawable/shown_indices.h"
+#include "gl/drawable/window_samples.h"
 #include "gw/command_list.h"
 #include "gw/machine.h"
 
@@ -32,9 +33,10 @@ enum class Buffers : std::uint8_t { Single, Double, Back };
 
 class Drawable {
 public:
-    /// Throws Error for a size outside 1 .. max_window_size.
+    /// `samples` of a pixel: 0, or 2, 4, 8 on a profile with surfaces and multisample; fewer, with a
+    /// warning, if so many pixels cannot have them. Throws Error for a size outside 1 .. max_window_size.
     Drawable(const Profile& profile, int width, int height, std::string name = "main",
-             Buffers buffers = Buffers::Single);
+             Buffers buffers = Buffers::Single, int samples = 0);
     virtual ~Drawable();
     Drawable(const Drawable&) = delete;
     Drawable& operator=(const Drawable&) = delete;
@@ -42,6 +44,8 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     bool is_double_buffered() const { return buffers_ != Buffers::Single; }
+    /// Of a pixel; 0: none.
+    int samples() const { return samples_ ? samples_->count() : 0; }
     /// Whether its machine has a plane for each buffer; else both are the one plane.
     bool has_back_plane() const {
         return buffers_ == Buffers::Double && profile().color_planes == 2;
@@ -113,6 +117,10 @@ public:
     /// Whether nobody sees it: its program may never swap.
     virtual bool is_off_screen() const { return false; }
 
+    /// Makes the window's planes those of its samples, for no frame. Precondition: a state is set, and
+    /// the frame has no commands. Returns what makes the samples of a new machine that has these planes.
+    CommandList resolve_samples();
+
     /// New planes of another size, cleared to 0. Drops commands that were not executed.
     void resize(int width, int height);
 
@@ -144,7 +152,10 @@ private:
     /// clears it or does not touch it.
     void bring_back_up_to_date(const Command& command);
     void copy_to_back();
+    void make_samples();
     void end_segment();
+    /// The frame's next commands read the window.
+    void read_window(Plane plane);
     void execute_read(Plane plane, const Rect& rect, Cause cause, bool packed);
     /// Reads are of this buffer from here on.
     void select(gw::ReadBuffer buffer);
@@ -162,6 +173,8 @@ private:
     std::string name_;  ///< in recordings
     int width_, height_;
     Buffers buffers_;
+    int wanted_samples_;
+    std::optional<WindowSamples> samples_;  ///< none: drawing goes to the window
     std::unique_ptr<Machine> machine_;
     std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
     CollectedCommands executed_;              ///< by it

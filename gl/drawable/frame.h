@@ -31,7 +31,11 @@ public:
 
     /// Begins its pass, "frame 12", as the first command does.
     void begin();
+    /// The state that a command finds.
+    gw::State state_or_initial() const { return last_state_ ? **last_state_ : gw::State(); }
     void add(Command command, std::span<const CallRun> calls = {});
+    /// For commands that are part of no frame.
+    CommandList& list() { return commands_.list; }
     /// A read of the plane's colours or values, with the key 0. Part of no frame.
     void add_read(Plane plane, const Rect& rect, bool packed);
     /// Adds to the memory that the commands keep: textures made for them.

@@ -2,6 +2,7 @@
 
 #include "gl/egl/failure.h"
 #include "gl/x11/geometry.h"
+#include "gl/x11/pixel_kinds.h"
 
 #include <algorithm>
 #include <array>
@@ -124,16 +125,20 @@ bool matches(const Config& config, const Request& request) {
     return true;
 }
 
-}  // namespace
-
-std::deque<Config> make_x11_configs(Display* native, int screen) {
+std::deque<Config> make_configs(const std::vector<XVisualInfo>& visuals) {
     std::deque<Config> configs;
-    for (const XVisualInfo& visual : x11::true_color_visuals(native, screen))
-        configs.push_back({int(configs.size()) + 1, visual});
+    for (const auto& [samples, visual] : x11::pixel_kinds(visuals, settings().profile))
+        configs.push_back({int(configs.size()) + 1, samples, visual});
     return configs;
 }
 
-std::deque<Config> make_surfaceless_configs() { return {Config{.id = 1}}; }
+}  // namespace
+
+std::deque<Config> make_x11_configs(Display* native, int screen) {
+    return make_configs(x11::true_color_visuals(native, screen));
+}
+
+std::deque<Config> make_surfaceless_configs() { return make_configs({XVisualInfo{}}); }
 
 std::optional<EGLint> attribute(const Config& c, EGLint name) {
     const Profile& profile = settings().profile;
@@ -147,9 +152,9 @@ std::optional<EGLint> attribute(const Config& c, EGLint name) {
         case EGL_STENCIL_SIZE: return profile.stencil_bits;
         case EGL_LUMINANCE_SIZE:
         case EGL_ALPHA_MASK_SIZE:
-        case EGL_LEVEL:
-        case EGL_SAMPLE_BUFFERS:
-        case EGL_SAMPLES: return 0;
+        case EGL_LEVEL: return 0;
+        case EGL_SAMPLE_BUFFERS: return c.samples > 0 ? 1 : 0;
+        case EGL_SAMPLES: return c.samples;
         case EGL_BIND_TO_TEXTURE_RGB:
         case EGL_BIND_TO_TEXTURE_RGBA: return EGL_FALSE;
         case EGL_COLOR_BUFFER_TYPE: return EGL_RGB_BUFFER;

@@ -1,5 +1,5 @@
-// Frame buffer configurations: one for each TrueColor visual of a screen, or one without a window
-// system. All have the bits of the profile. [EGL 1.5] 3.4
+// Frame buffer configurations: TrueColor visuals of a screen, or none without a window system, without
+// samples and with (pixel_kinds.h). All have the bits of the profile. [EGL 1.5] 3.4
 #pragma once
 
 #include "gl/egl/egl.h"
@@ -12,13 +12,14 @@ namespace gw::gl::egl {
 
 struct Config {
     int id = 0;
+    int samples = 0;       ///< of a pixel
     XVisualInfo visual{};  ///< its `visual` is null if there is no window system
     bool has_windows() const { return visual.visual != nullptr; }
 };
 
-/// The configurations of a screen in the order that ChooseConfig returns them in. They differ in the
-/// visual only, so of [EGL 1.5] 3.4.1.2's orders the last one alone decides: by number. The screen's
-/// default visual is first.
+/// The configurations of a screen in the order that ChooseConfig returns them in. They differ in
+/// samples and visual only, so of [EGL 1.5] 3.4.1.2's orders three decide: fewer samples first, then by
+/// number. Of equal samples, the screen's default visual is first.
 std::deque<Config> make_x11_configs(Display* native, int screen);
 std::deque<Config> make_surfaceless_configs();
 

@@ -12,7 +12,7 @@ class Surface : public x11::Surface {
 public:
     Surface(Display* native, const Config& config, Buffers buffers, Kind kind, XID target,
             int width, int height)
-        : x11::Surface(native, config.visual, buffers, kind, target, width, height),
+        : x11::Surface(native, config.visual, buffers, config.samples, kind, target, width, height),
           config_(config) {}
 
     const Config& config() const { return config_; }

@@ -91,7 +91,8 @@ struct ReadPlane {
 
 /// A plane with samples is resolved first.
 Readback read_resolved(Context& context, Plane plane, const Rect& all) {
-    if (samples_of(context.framebuffers.read) == 0) return read_raw(context, plane, all);
+    if (!context.framebuffers.read || read_samples(context) == 0)
+        return read_raw(context, plane, all);
     const TargetLock lock = lock_target(context, *context.read_drawable);
     OffScreen& machine = *context.shared->off_screen;
     SurfaceImage image(
@@ -129,18 +130,19 @@ void blit_to_window(Context& context, gw::Blit blit, Plane plane, ReadPlane read
     const PausedCounts paused(window);
     const Surface surface{read.width, read.height, mask_of(plane),
                           plane == Plane::Depth ? read.depth_bits : 0};
+    constexpr std::uint32_t passing = WindowSamples::surface + 1;
     window.set_state(gw::State());
-    window.add(MakeSurface{1, surface});
-    window.add(UseSurface{1});
+    window.add(MakeSurface{passing, surface});
+    window.add(UseSurface{passing});
     window.hold(read.colors.size() * sizeof(Rgba) + read.values.size() * sizeof(std::uint32_t));
     window.add(WritePixels{.rect = {0, 0, read.width, read.height},
                            .plane = plane,
                            .colors = std::move(read.colors),
                            .values = std::move(read.values)});
     window.add(UseSurface{0});
-    blit.from_surface = 1;
+    blit.from_surface = passing;
     submit_command(context, blit);
-    window.add(MakeSurface{1, {}});
+    window.add(MakeSurface{passing, {}});
 }
 
 /// Alpha of an image without alpha is 1.
@@ -177,8 +179,7 @@ void blit_plane(Context& context, gw::Blit blit, Plane plane) {
 
 /// With samples, pixels are not scaled, and both have as many.
 bool suits_samples(const Context& context, const Axis& x, const Axis& y) {
-    const int from = samples_of(context.framebuffers.read),
-              to = samples_of(context.framebuffers.draw);
+    const int from = read_samples(context), to = draw_samples(context);
     if (from == 0 && to == 0) return true;
     return (from == 0 || to == 0 || from == to) && x.from_size() == x.to_size() &&
            y.from_size() == y.to_size();

@@ -1,6 +1,7 @@
 #include "gl/glx/configs.h"
 
 #include "gl/x11/geometry.h"
+#include "gl/x11/pixel_kinds.h"
 
 #include <algorithm>
 
@@ -108,9 +109,10 @@ bool matches(const Config& config, const Request& request) {
 std::deque<Config> make_configs(Display* display, int screen, int first_id) {
     const Profile& profile = settings().profile;
     std::deque<Config> configs;
+    const std::vector<XVisualInfo> visuals = x11::true_color_visuals(display, screen);
     for (const bool double_buffered : {false, true})
-        for (const XVisualInfo& visual : x11::true_color_visuals(display, screen))
-            configs.push_back({visual, double_buffered, first_id + int(configs.size()),
+        for (const auto& [samples, visual] : x11::pixel_kinds(visuals, profile))
+            configs.push_back({visual, double_buffered, samples, first_id + int(configs.size()),
                                profile.color_bits, profile.depth_bits, profile.stencil_bits,
                                profile.accum_bits});
     return configs;
@@ -121,9 +123,9 @@ std::optional<int> attribute(const Config& c, int name) {
         case GLX_BUFFER_SIZE: return 4 * c.color_bits;
         case GLX_LEVEL:
         case GLX_STEREO:
-        case GLX_AUX_BUFFERS:
-        case GLX_SAMPLE_BUFFERS:
-        case GLX_SAMPLES: return 0;
+        case GLX_AUX_BUFFERS: return 0;
+        case GLX_SAMPLE_BUFFERS: return c.samples > 0 ? 1 : 0;
+        case GLX_SAMPLES: return c.samples;
         case GLX_DOUBLEBUFFER: return c.double_buffered ? True : False;
         case GLX_RED_SIZE:
         case GLX_GREEN_SIZE:

@@ -1,5 +1,5 @@
-// Frame buffer configurations: every TrueColor visual of a screen, single and double buffered, with
-// the bits of the profile. [GLX 1.4] 3.3.3
+// Frame buffer configurations: every TrueColor visual of a screen, single and double buffered, without
+// samples and with, and the bits of the profile. [GLX 1.4] 3.3.3
 #pragma once
 
 #include "gl/glx/glx.h"
@@ -11,6 +11,7 @@
 struct __GLXFBConfigRec {
     XVisualInfo visual{};
     bool double_buffered = false;
+    int samples = 0;  ///< of a pixel
     int id = 0;
     int color_bits = 0, depth_bits = 0, stencil_bits = 0, accum_bits = 0;  ///< the profile's
 };
@@ -20,8 +21,8 @@ namespace gw::gl::glx {
 using Config = __GLXFBConfigRec;
 
 /// The configurations of a screen in the order that ChooseFBConfig returns them in. They differ in
-/// visual and double buffering only, so of [GLX 1.4] table 3.4's orders the fourth alone decides:
-/// single before double. Then the screen's default visual is first and visuals with an alpha
+/// visual, double buffering and samples only, so of [GLX 1.4] table 3.4's orders three decide: single
+/// before double, then fewer samples first. Then the screen's default visual is first and visuals with an alpha
 /// channel are last.
 std::deque<Config> make_configs(Display* display, int screen, int first_id);
 

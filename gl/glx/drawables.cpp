@@ -23,6 +23,11 @@ int value_of(const int* list, int name, int other) {
     return other;
 }
 
+/// Whether drawables of both have the same buffers and samples.
+bool is_alike(const Config& a, const Config& b) {
+    return a.double_buffered == b.double_buffered && a.samples == b.samples;
+}
+
 /// A drawable for a window or pixmap of the program's; 0 after an error.
 XID make_surface(Display* display, const Config& config, Surface::Kind kind, XID target,
                  int request) {
@@ -34,7 +39,7 @@ XID make_surface(Display* display, const Config& config, Surface::Kind kind, XID
         return send_error(display, BadMatch, target, request), 0;
     auto surface = find_surface(display, target);
     if (surface && surface->has_glx_name) return send_error(display, BadAlloc, target, request), 0;
-    if (!surface || surface->config().double_buffered != config.double_buffered)
+    if (!surface || !is_alike(surface->config(), config))
         surface =
             std::make_shared<Surface>(display, config, kind, target, size->width, size->height);
     const XID name = x11::new_name(display);

@@ -10,8 +10,8 @@ class Surface : public x11::Surface {
 public:
     Surface(Display* display, const Config& config, Kind kind, XID target, int width, int height)
         : x11::Surface(display, config.visual,
-                       config.double_buffered ? Buffers::Double : Buffers::Single, kind, target,
-                       width, height),
+                       config.double_buffered ? Buffers::Double : Buffers::Single, config.samples,
+                       kind, target, width, height),
           config_(config) {}
 
     const Config& config() const { return config_; }

@@ -90,7 +90,7 @@ bool is_identity(const PixelState& s, Plane plane) {
 /// Whether the machine has what is read where it draws.
 bool reads_what_it_draws(const Context& context) {
     return context.read_drawable == context.drawable &&
-           context.framebuffers.read == context.framebuffers.draw;
+           context.framebuffers.read == context.framebuffers.draw && draw_samples(context) == 0;
 }
 
 /// The pixels of a copy, read and transferred by the front end.

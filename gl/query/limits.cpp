@@ -93,9 +93,9 @@ void add_limits(StateVariables& t) {
     t[GL_LINE_WIDTH_GRANULARITY] = [](Context& context) {
         return number(size_step(context.profile));
     };
-    t[GL_SAMPLES] = [](Context& context) { return whole(samples_of(context.framebuffers.draw)); };
+    t[GL_SAMPLES] = [](Context& context) { return whole(draw_samples(context)); };
     t[GL_SAMPLE_BUFFERS] = [](Context& context) {
-        return whole(samples_of(context.framebuffers.draw) > 0 ? 1 : 0);
+        return whole(draw_samples(context) > 0 ? 1 : 0);
     };
     t[GL_AUX_BUFFERS] = [](Context&) { return whole(0); };
     t[GL_RGBA_MODE] = [](Context&) { return whole(GL_TRUE); };

@@ -29,6 +29,15 @@ inspect::ColorMap color_map_of(ShownIndices shown) {
     return map.bits != 0 ? map : inspect::ColorMap{};
 }
 
+void warn_of_samples(const Drawable& drawable) {
+    std::fprintf(
+        stderr,
+        "gw: warning: the recording of '%s' begins with frame %llu, with one value for all "
+        "samples of a pixel; expected a recording from frame 0 on, or a program that clears "
+        "its framebuffers in each frame\n",
+        drawable.name().c_str(), static_cast<unsigned long long>(drawable.frame()));
+}
+
 }  // namespace
 
 Recording::Recording(std::string file, const Profile& profile, const FrameRange& frames)
@@ -66,8 +75,14 @@ void Recording::attempt(Write write) {
 CommandList Recording::drawn_before(Drawable& drawable) const {
     const std::string pass = "before frame " + std::to_string(drawable.frame());
     auto* const machine = dynamic_cast<OffScreen*>(&drawable);
-    if (machine == nullptr)
-        return restoring_list(drawable.planes(), drawable.profile(), pass, *drawable.state());
+    if (machine == nullptr) {
+        const CommandList samples = drawable.resolve_samples();
+        if (drawable.samples() > 0) warn_of_samples(drawable);
+        CommandList out =
+            restoring_list(drawable.planes(), drawable.profile(), pass, *drawable.state());
+        out.append(samples);
+        return out;
+    }
     std::map<std::uint32_t, SurfaceValues> surfaces;
     std::uint32_t number = 0;
     bool has_samples = false;
@@ -77,13 +92,7 @@ CommandList Recording::drawn_before(Drawable& drawable) const {
         surfaces[number] = {surface, machine->read_surface(number)};
         has_samples |= surface.samples > 0;
     }
-    if (has_samples)
-        std::fprintf(
-            stderr,
-            "gw: warning: the recording of '%s' begins with frame %llu, with one value for "
-            "all samples of a pixel; expected a recording from frame 0 on, or a program "
-            "that clears its framebuffers in each frame\n",
-            drawable.name().c_str(), static_cast<unsigned long long>(drawable.frame()));
+    if (has_samples) warn_of_samples(drawable);
     return restoring_list(surfaces, pass, machine->in_use(), *drawable.state());
 }
 

@@ -54,7 +54,7 @@ struct PointState {
     float size = 1;
     bool smooth = false, sprite = false;
     float min_size = 0, max_size = 128;
-    float fade_threshold = 1;  ///< without effect: there are no samples
+    float fade_threshold = 1;  ///< without effect: points do not fade
     vec3 attenuation{1, 0, 0};
     std::array<bool, 4> coord_replace{};  ///< of texture units
     bool operator==(const PointState&) const = default;
@@ -323,7 +323,7 @@ struct TextureState {
     bool operator==(const TextureState&) const = default;
 };
 
-/// GL_MULTISAMPLE_BIT. Only framebuffer objects may have samples.
+/// GL_MULTISAMPLE_BIT. Without effect if what is drawn to has no samples.
 struct MultisampleState {
     bool multisample = true, alpha_to_coverage = false, alpha_to_one = false, coverage = false;
     float coverage_value = 1;

@@ -23,10 +23,10 @@ int size_on_machine(int pixels) { return std::clamp(pixels, 1, max_window_size);
 
 }  // namespace
 
-Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, Kind kind,
-                 XID target, int width, int height)
+Surface::Surface(Display* display, const XVisualInfo& visual, Buffers buffers, int samples,
+                 Kind kind, XID target, int width, int height)
     : gl::Drawable(settings().profile, size_on_machine(width), size_on_machine(height),
-                   recorded_name(kind), kind == Kind::Pixmap ? Buffers::Single : buffers),
+                   recorded_name(kind), kind == Kind::Pixmap ? Buffers::Single : buffers, samples),
       display_(display),
       kind_(kind),
       target_(target) {

@@ -16,8 +16,8 @@ public:
     /// A pixmap has one buffer: the pixmap. `target` is the X window or pixmap; 0 for a pbuffer,
     /// which needs no display and visual. Sizes beyond the machine's are cut off at the top and on
     /// the right.
-    Surface(Display* display, const XVisualInfo& visual, Buffers buffers, Kind kind, XID target,
-            int width, int height);
+    Surface(Display* display, const XVisualInfo& visual, Buffers buffers, int samples, Kind kind,
+            XID target, int width, int height);
     ~Surface() override;
 
     Kind kind() const { return kind_; }

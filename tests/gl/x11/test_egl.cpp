@@ -163,17 +163,20 @@ protected:
 };
 
 TEST_F(EglChoice, FollowsTheTable) {
-    EXPECT_EQ(count_of({}), 1);
-    EXPECT_EQ(count_of({EGL_RED_SIZE, 8, EGL_ALPHA_SIZE, 1, EGL_DEPTH_SIZE, 24}), 1);
+    constexpr int all = 3;  // of 0, 4 and 8 samples
+    EXPECT_EQ(count_of({}), all);
+    EXPECT_EQ(count_of({EGL_RED_SIZE, 8, EGL_ALPHA_SIZE, 1, EGL_DEPTH_SIZE, 24}), all);
     EXPECT_EQ(count_of({EGL_RED_SIZE, 9}), 0);
-    EXPECT_EQ(count_of({EGL_SAMPLES, 4}), 0);
-    EXPECT_EQ(count_of({EGL_SAMPLES, EGL_DONT_CARE}), 1);
+    EXPECT_EQ(count_of({EGL_SAMPLES, 4}), 2);
+    EXPECT_EQ(count_of({EGL_SAMPLES, 9}), 0);
+    EXPECT_EQ(count_of({EGL_SAMPLE_BUFFERS, 1}), 2);
+    EXPECT_EQ(count_of({EGL_SAMPLES, EGL_DONT_CARE}), all);
     EXPECT_EQ(count_of({EGL_LEVEL, 1}), 0);
-    EXPECT_EQ(count_of({EGL_MAX_PBUFFER_WIDTH, 1}), 1);
+    EXPECT_EQ(count_of({EGL_MAX_PBUFFER_WIDTH, 1}), all);
     EXPECT_EQ(count_of({EGL_CONFIG_ID, 1, EGL_RED_SIZE, 9}), 1);
-    EXPECT_EQ(count_of({EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT}), 1);
+    EXPECT_EQ(count_of({EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT}), all);
     // As the screen savers ask.
-    EXPECT_EQ(count_of({EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT}), 1);
+    EXPECT_EQ(count_of({EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT}), all);
     EGLint windows = -1;
     EXPECT_TRUE(eglChooseConfig(display, nullptr, nullptr, 0, &windows));
     EXPECT_EQ(windows, 0);

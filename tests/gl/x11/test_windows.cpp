@@ -15,6 +15,39 @@ TEST_F(GlxWindow, ADoubleBufferedOneShowsAtSwap) {
     glXDestroyContext(display, context);
 }
 
+/// GLX_ARB_multisample: a column half of whose samples are covered, also where frames are executed
+/// while the program goes on.
+TEST_F(GlxWindow, SamplesAreShownAsTheirMeans) {
+    for (const int double_buffered : {False, True}) {
+        const int list[] = {GLX_DOUBLEBUFFER, double_buffered, GLX_SAMPLES, 4, 0};
+        int count = 0;
+        GLXFBConfig* const found = glXChooseFBConfig(display, DefaultScreen(display), list, &count);
+        ASSERT_GT(count, 0);
+        window = make_window(found[0]);
+        const GLXContext context =
+            glXCreateNewContext(display, found[0], GLX_RGBA_TYPE, nullptr, True);
+        ASSERT_TRUE(glXMakeCurrent(display, window, context));
+        glOrtho(0, 64, 0, 48, -1, 1);
+        for (int frame = 0; frame < 40; ++frame) {
+            clear_to(0, 0, 0);
+            glRectf(10.5f, 0, 64, 48);
+            double_buffered ? glXSwapBuffers(display, window) : glFlush();
+        }
+        glFinish();
+        const Shown image = shown(window, 64, 48);
+        const unsigned long mask = DefaultVisual(display, DefaultScreen(display))->green_mask,
+                            largest = mask / (mask & (~mask + 1));
+        for (int y = 0; y < 48; ++y) {
+            EXPECT_EQ(image.at(9, y), pixel(false, false, false)) << y;
+            EXPECT_EQ((image.at(10, y) & mask) * largest / mask, (128 * largest + 127) / 255) << y;
+            EXPECT_EQ(image.at(11, y), pixel(true, true, true)) << y;
+        }
+        glXMakeCurrent(display, 0, nullptr);
+        glXDestroyContext(display, context);
+        XFree(found);
+    }
+}
+
 TEST_F(GlxWindow, TheFrontBufferIsShownAtFlush) {
     const GLXContext context = make_current(true);
     clear_to(1, 0, 0);

@@ -2,8 +2,8 @@
 
 namespace gw::gl {
 
-Window::Window(int width, int height, const Profile& profile, Buffers buffers)
-    : context(profile), drawable(profile, width, height, "window", buffers) {
+Window::Window(int width, int height, const Profile& profile, Buffers buffers, int samples)
+    : context(profile), drawable(profile, width, height, "window", buffers, samples) {
     make_current(&context, &drawable);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }

@@ -16,7 +16,7 @@ namespace gw::gl {
 class Window {
 public:
     explicit Window(int width = 32, int height = 32, const Profile& profile = opengl(),
-                    Buffers buffers = Buffers::Single);
+                    Buffers buffers = Buffers::Single, int samples = 0);
     ~Window() { make_current(nullptr, nullptr); }
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
