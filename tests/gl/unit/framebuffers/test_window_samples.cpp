@@ -134,8 +134,10 @@ TEST(WindowSamples, AreCopiedAsTheirMeans) {
     std::array<Bytes, 4> texels{};
     glGetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
     EXPECT_EQ(texels, (std::array{black, half, black, half}));
-    glBlitFramebuffer(2, 0, 4, 2, 6, 6, 8, 8, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glRectf(0.5f, 0, 1, 2);  // what no read has brought up to date
+    glBlitFramebuffer(0, 0, 2, 2, 6, 6, 8, 8, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     EXPECT_EQ(pixel_at(6, 6), half);
+    EXPECT_EQ(pixel_at(7, 6), black);
     glBlitFramebuffer(2, 0, 4, 2, 4, 4, 8, 8, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     EXPECT_GL_ERROR(GL_INVALID_OPERATION);
 }
