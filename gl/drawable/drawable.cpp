@@ -331,7 +331,7 @@ void Drawable::select(gw::ReadBuffer buffer) {
 }
 
 void Drawable::read_window(Plane plane) {
-    if (samples_) samples_->resolve(mask_of(plane), frame_.state_or_initial(), frame_.list());
+    if (samples_) samples_->resolve_read(plane, frame_.state_or_initial(), frame_.list());
 }
 
 void Drawable::execute_read(Plane plane, const Rect& rect, Cause cause, bool packed) {

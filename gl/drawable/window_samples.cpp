@@ -57,6 +57,13 @@ void WindowSamples::resolve(PlaneMask planes, const gw::State& now, CommandList&
     unresolved_ &= PlaneMask(~planes);
 }
 
+void WindowSamples::resolve_read(Plane plane, const gw::State& now, CommandList& out) {
+    const bool is_of_other = plane == Plane::Color && buffer_ &&
+                             *buffer_ != DrawBuffer::FrontAndBack &&
+                             source_of(*buffer_) != now.read_buffer;
+    resolve(is_of_other ? PlaneMask{0} : mask_of(plane), now, out);
+}
+
 void WindowSamples::load_colors(const gw::State& now, CommandList& out) {
     resolve(mask_of(Plane::Color), now, out);
     use(surface, out);

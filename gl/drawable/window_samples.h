@@ -26,6 +26,8 @@ public:
     void prepare(const Command& command, const gw::State& now, CommandList& out);
     /// Brings planes of the window up to what was drawn, and uses the window.
     void resolve(PlaneMask planes, const gw::State& now, CommandList& out);
+    /// The same for a read of one plane of the read buffer.
+    void resolve_read(Plane plane, const gw::State& now, CommandList& out);
     /// After SwapBuffers. Returns whether the samples are the back buffer's still.
     bool follow_swap();
     /// After an error, what the machine has is unknown.

@@ -163,9 +163,7 @@ void leave_all(Memory& memory) {
     leave_begin();
 }
 
-void run_sequence(unsigned seed, bool has_drawable, int count) {
-    Window window(16, 16);
-    if (!has_drawable) make_current(&window.context, nullptr);
+void run_sequence(unsigned seed, Window& window, int count) {
     Random random(seed);
     Memory memory(random);
     Arguments arguments{random, memory};
@@ -194,11 +192,25 @@ void run_sequence(unsigned seed, bool has_drawable, int count) {
 }  // namespace
 
 TEST(GlCallFuzz, WrongCallsAreErrorsAndChangeNothing) {
-    for (unsigned seed = 0; seed < 8; ++seed) run_sequence(seed, true, 2000);
+    for (unsigned seed = 0; seed < 8; ++seed) {
+        Window window(16, 16);
+        run_sequence(seed, window, 2000);
+    }
 }
 
 TEST(GlCallFuzz, ContextsWithoutADrawableTakeEveryCall) {
-    for (unsigned seed = 1000; seed < 1008; ++seed) run_sequence(seed, false, 2000);
+    for (unsigned seed = 1000; seed < 1008; ++seed) {
+        Window window(16, 16);
+        make_current(&window.context, nullptr);
+        run_sequence(seed, window, 2000);
+    }
+}
+
+TEST(GlCallFuzz, WindowsWithSamplesTakeEveryCall) {
+    for (unsigned seed = 2000; seed < 2008; ++seed) {
+        Window window(16, 16, opengl(), Buffers::Double, 4);
+        run_sequence(seed, window, 2000);
+    }
 }
 
 TEST(GlCallFuzz, WithoutAContextEveryCallIsIgnored) {
