@@ -298,9 +298,12 @@ std::optional<SurfacePlane> plane_of(Context& context, std::size_t unit, Texture
 
 /// Stores a plane that was read in the texels of a slice.
 void store(const Readback& read, const ImagePlane& plane, int color_bits, std::uint16_t* texel) {
+    const std::uint32_t factor =
+        16 % color_bits == 0 ? max_of_bits(16) / max_of_bits(color_bits) : 0;
     for (const Rgba& color : read.color)
         for (const std::uint16_t channel : color)
-            *texel++ = static_cast<std::uint16_t>(rescale(channel, color_bits, 16));
+            *texel++ =
+                std::uint16_t(factor != 0 ? channel * factor : rescale(channel, color_bits, 16));
     for (const std::uint32_t value : read.values) {
         if (plane.plane == Plane::Stencil) {
             texel[2] = static_cast<std::uint16_t>(value);

@@ -71,8 +71,9 @@ bool is_drawn(Context& context, GLenum token) {
 }
 
 void set_depths(gw::DrawPixels& out, const Context& context, const std::vector<double>& depths) {
-    for (const double depth : depths)
-        out.depths.push_back(quantize(depth, fragment_depth_bits(context)));
+    const int bits = fragment_depth_bits(context);
+    out.depths.reserve(depths.size());
+    for (const double depth : depths) out.depths.push_back(quantize(depth, bits));
 }
 void set_stencils(gw::DrawPixels& out, const Context& context,
                   const std::vector<GLuint>& stencils) {
@@ -83,7 +84,7 @@ void set_stencils(gw::DrawPixels& out, const Context& context,
 /// Whether pixel transfer leaves the values of a plane as they are.
 bool is_identity(const PixelState& s, Plane plane) {
     if (plane == Plane::Depth) return s.depth_scale == 1 && s.depth_bias == 0;
-    if (plane == Plane::Stencil) return s.index_shift == 0 && s.index_offset == 0 && !s.map_stencil;
+    if (plane == Plane::Stencil) return leaves_stencils(s);
     return leaves_colors(s);
 }
 

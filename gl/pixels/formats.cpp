@@ -97,18 +97,27 @@ std::size_t row_bytes(GLsizei width, GLenum format, GLenum type) {
     return std::size_t(width) * values * component_bytes(type);
 }
 
-double load_component(GLenum type, const std::byte* at, bool is_index) {
+void load_components(GLenum type, const std::byte* at, std::span<double> values, bool is_index) {
+    const auto load = [&]<class T>(T) {
+        for (std::size_t i = 0; i < values.size(); ++i)
+            values[i] = load_as<T>(at + i * sizeof(T), is_index);
+    };
     switch (type) {
-        case GL_BYTE: return load_as<GLbyte>(at, is_index);
-        case GL_UNSIGNED_BYTE: return load_as<GLubyte>(at, is_index);
-        case GL_SHORT: return load_as<GLshort>(at, is_index);
-        case GL_UNSIGNED_SHORT: return load_as<GLushort>(at, is_index);
-        case GL_INT: return load_as<GLint>(at, is_index);
-        case GL_UNSIGNED_INT: return load_as<GLuint>(at, is_index);
-        case GL_FLOAT: return load_as<GLfloat>(at, is_index);
-        case GL_DOUBLE: return load_as<GLdouble>(at, is_index);
+        case GL_BYTE: return load(GLbyte());
+        case GL_UNSIGNED_BYTE: return load(GLubyte());
+        case GL_SHORT: return load(GLshort());
+        case GL_UNSIGNED_SHORT: return load(GLushort());
+        case GL_INT: return load(GLint());
+        case GL_UNSIGNED_INT: return load(GLuint());
+        case GL_FLOAT: return load(GLfloat());
+        case GL_DOUBLE: return load(GLdouble());
     }
-    return 0;
+}
+
+double load_component(GLenum type, const std::byte* at, bool is_index) {
+    double value = 0;
+    load_components(type, at, {&value, 1}, is_index);
+    return value;
 }
 
 void store_components(GLenum type, std::byte* at, std::span<const double> values, bool is_index) {

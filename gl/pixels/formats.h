@@ -30,6 +30,8 @@ std::size_t row_bytes(GLsizei width, GLenum format, GLenum type);
 
 /// A value in the caller's memory; vertex arrays may have GL_DOUBLE too. Integers of colours and depths are 0 .. 1 or -1 .. 1.
 double load_component(GLenum type, const std::byte* at, bool is_index);
+/// Values side by side.
+void load_components(GLenum type, const std::byte* at, std::span<double> values, bool is_index);
 /// The reverse; clamped to what the type holds.
 void store_component(GLenum type, std::byte* at, double value, bool is_index);
 /// Values side by side.

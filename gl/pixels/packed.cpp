@@ -1,6 +1,7 @@
 #include "gl/pixels/packed.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -70,6 +71,33 @@ bool is_packed_format(const PackedType& packed, GLenum format) {
     // [EXT_abgr] ABGR has alpha where others have red: only of as many bits, as on Mesa.
     if (format == GL_ABGR_EXT) return packed.bits[0] == packed.bits[3];
     return format == GL_RGBA || format == GL_BGRA;
+}
+
+PixelType as_bytes(GLenum format, GLenum type) {
+    if constexpr (std::endian::native == std::endian::little) {
+        if (type == GL_UNSIGNED_INT_8_8_8_8_REV) return {format, GL_UNSIGNED_BYTE};
+        if (type == GL_UNSIGNED_INT_8_8_8_8 && format == GL_RGBA)
+            return {GL_ABGR_EXT, GL_UNSIGNED_BYTE};
+        if (type == GL_UNSIGNED_INT_8_8_8_8 && format == GL_ABGR_EXT)
+            return {GL_RGBA, GL_UNSIGNED_BYTE};
+    }
+    return {format, type};
+}
+
+std::uint32_t packed_number(const PackedType& packed, const std::byte* at) {
+    return load_number(packed.bytes, at);
+}
+
+void store_packed_number(const PackedType& packed, std::byte* at, std::uint32_t number) {
+    store_number(packed.bytes, at, number);
+}
+
+std::array<PackedComponent, 4> packed_components(const PackedType& packed) {
+    std::array<PackedComponent, 4> out;
+    for_each_component(packed, [&](std::size_t i, unsigned shift, unsigned largest) {
+        out[i] = {shift, largest};
+    });
+    return out;
 }
 
 std::array<double, 4> load_packed(const PackedType& packed, const std::byte* at) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace gw::gl {
 
@@ -20,6 +21,21 @@ const PackedType* packed_type(GLenum type);
 
 /// Whether pixels of the format can be packed so: three components or four, or a depth and a stencil value.
 bool is_packed_format(const PackedType& packed, GLenum format);
+
+struct PixelType {
+    GLenum format, type;
+};
+/// The format of GL_UNSIGNED_BYTE that has the same bytes in memory, if there is one; else these two.
+PixelType as_bytes(GLenum format, GLenum type);
+
+/// A pixel as a number, and where a component is in it.
+std::uint32_t packed_number(const PackedType& packed, const std::byte* at);
+void store_packed_number(const PackedType& packed, std::byte* at, std::uint32_t number);
+struct PackedComponent {
+    unsigned shift = 0;
+    std::uint32_t largest = 0;  ///< 0: no such component
+};
+std::array<PackedComponent, 4> packed_components(const PackedType& packed);
 
 /// The components of a pixel, 0 .. 1.
 std::array<double, 4> load_packed(const PackedType& packed, const std::byte* at);

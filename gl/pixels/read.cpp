@@ -6,6 +6,7 @@
 #include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
+#include "gl/pixels/packed.h"
 #include "gl/pixels/transfer.h"
 #include "gw/stages/resolve.h"
 
@@ -82,14 +83,17 @@ void read_bytes(Context& context, const Rect& rect, GLenum format, std::byte* ou
 }
 
 /// The rows of a rectangle of colours for memory.
-std::vector<std::byte> packed_rows(Context& context, const Rect& rect, GLenum format, GLenum type) {
+std::vector<std::byte> packed_rows(Context& context, const Rect& rect, GLenum given_format,
+                                   GLenum given_type) {
+    const auto [format, type] = as_bytes(given_format, given_type);
     if (is_read_as_bytes(context, format, type)) {
         std::vector<std::byte> rows(rect.area() * std::size_t(component_count(format)));
         read_bytes(context, rect, format, rows.data());
         return rows;
     }
     std::vector<vec4> colors = read_colors(context, rect, Cause::Read);
-    for (vec4& color : colors) color = transferred_color(context, color);
+    if (!leaves_colors(context.state.pixel))
+        for (vec4& color : colors) color = transferred_color(context, color);
     return packed_colors(colors, format, type);
 }
 
@@ -98,8 +102,11 @@ std::vector<std::byte> packed_pairs(Context& context, const Rect& rect) {
     DepthsAndStencils out;
     for (const double depth : read_values(context, Plane::Depth, rect, Cause::Read))
         out.depths.push_back(transferred_depth(context, depth));
-    for (const double stencil : read_values(context, Plane::Stencil, rect, Cause::Read))
-        out.stencils.push_back(transferred_stencil(context, stencil));
+    const std::vector<double> stencils = read_values(context, Plane::Stencil, rect, Cause::Read);
+    out.stencils.assign(stencils.begin(), stencils.end());
+    if (!leaves_stencils(context.state.pixel))
+        for (GLuint& stencil : out.stencils)
+            stencil = transferred_stencil(context, double(stencil));
     return packed_depths_and_stencils(out);
 }
 
@@ -189,9 +196,10 @@ void read_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heig
     if (pixels == nullptr) return;
     flush_mesh(context);
     const Rect rect{x, y, width, height};
-    if (is_read_as_bytes(context, format, type))
+    if (const auto [byte_format, byte_type] = as_bytes(format, type);
+        is_read_as_bytes(context, byte_format, byte_type))
         if (const auto at = rows_in_memory(context.client.pack, width, format, type))
-            return read_bytes(context, rect, format, static_cast<std::byte*>(pixels) + *at);
+            return read_bytes(context, rect, byte_format, static_cast<std::byte*>(pixels) + *at);
     std::vector<std::byte> rows;
     if (format == GL_DEPTH_STENCIL) {
         rows = packed_pairs(context, rect);
@@ -199,8 +207,10 @@ void read_pixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heig
         const bool is_depth = format == GL_DEPTH_COMPONENT;
         std::vector<double> values =
             read_values(context, is_depth ? Plane::Depth : Plane::Stencil, rect, Cause::Read);
-        for (double& v : values)
-            v = is_depth ? transferred_depth(context, v) : double(transferred_stencil(context, v));
+        if (is_depth)
+            for (double& v : values) v = transferred_depth(context, v);
+        else if (!leaves_stencils(context.state.pixel))
+            for (double& v : values) v = double(transferred_stencil(context, v));
         rows = packed_values(values, width, format, type);
     } else {
         rows = packed_rows(context, rect, format, type);

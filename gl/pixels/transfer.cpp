@@ -80,6 +80,18 @@ std::array<double, 4> components_of(GLenum format, const vec4& c) {
     return {c.x, c.y, c.z, c.w};
 }
 
+/// The components of several colours, side by side.
+void fill_components(GLenum format, std::span<const vec4> colors, std::span<double> out) {
+    const auto count = std::size_t(component_count(format));
+    const std::array<double, 4> channels = components_of(format, {0, 1, 2, 3});
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        for (std::size_t k = 0; k < count; ++k)
+            out[i * count + k] = double(colors[i][int(channels[k])]);
+    if (format != GL_LUMINANCE && format != GL_LUMINANCE_ALPHA) return;
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        out[i * count] = components_of(format, colors[i])[0];
+}
+
 /// Calls `take(values)` for each pixel.
 template <class Take>
 void for_each_pixel(GLsizei width, GLsizei height, GLenum format, GLenum type,
@@ -113,6 +125,11 @@ void for_each_host_color(const Context& context, GLsizei width, GLsizei height, 
     });
 }
 
+/// A depth 0 .. 1 in 24 bits.
+std::uint32_t nearest_depth(double depth) {
+    return std::uint32_t(std::clamp(depth, 0.0, 1.0) * 16777215.0 + 0.5);
+}
+
 /// What becomes of each byte of each channel: transfer treats channels one by one.
 template <class T>
 using ByteTables = std::array<std::array<T, 256>, 4>;
@@ -144,7 +161,44 @@ std::array<std::size_t, 4> component_of_channel(GLenum format) {
     return out;
 }
 
+/// What becomes of a channel, by the values of the component that it comes from.
+struct PackedChannel {
+    PackedComponent from;
+    std::vector<std::uint16_t> table;
+};
+
+void store_packed_rgba(const Context& context, const PackedType& packed, GLenum format,
+                       std::span<const std::byte> bytes, int bits, std::span<Rgba> out) {
+    const std::array<PackedComponent, 4> components = packed_components(packed);
+    const std::array<std::size_t, 4> from = component_of_channel(format);
+    std::array<PackedChannel, 4> channels;
+    for (std::size_t k = 0; k < 4; ++k) {
+        PackedChannel& channel = channels[k];
+        if (from[k] < 4) channel.from = components[from[k]];
+        for (std::uint32_t v = 0; v <= channel.from.largest; ++v) {
+            const double value = from[k] < 4    ? double(v) / double(channel.from.largest)
+                                 : from[k] == 5 ? 1
+                                                : 0;
+            const vec4 color = transferred_color(context, vec4(float(value)));
+            channel.table.push_back(std::uint16_t(quantize(double(color[int(k)]), bits)));
+        }
+    }
+    const std::byte* at = bytes.data();
+    for (Rgba& pixel : out) {
+        const std::uint32_t number = packed_number(packed, at);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const PackedComponent& c = channels[k].from;
+            pixel[k] = channels[k].table[number >> c.shift & c.largest];
+        }
+        at += packed.bytes;
+    }
+}
+
 }  // namespace
+
+bool leaves_stencils(const PixelState& s) {
+    return s.index_shift == 0 && s.index_offset == 0 && !s.map_stencil;
+}
 
 bool leaves_colors(const PixelState& s) {
     return s.scale == vec4(1) && s.bias == vec4(0) && !s.map_color;
@@ -178,10 +232,13 @@ std::vector<Rgba> host_rgba(const Context& context, GLsizei width, GLsizei heigh
     return out;
 }
 
-void store_host_rgba(const Context& context, GLsizei width, GLsizei height, GLenum format,
-                     GLenum type, const HostImage& image, int bits, std::span<Rgba> out) {
+void store_host_rgba(const Context& context, GLsizei width, GLsizei height, GLenum given_format,
+                     GLenum given_type, const HostImage& image, int bits, std::span<Rgba> out) {
+    const auto [format, type] = as_bytes(given_format, given_type);
     if (leaves_colors(context.state.pixel) && plain_colors(format, type, image.bytes, bits, out))
         return;
+    if (const PackedType* const packed = packed_type(type); packed && out.size() >= fewest_pixels)
+        return store_packed_rgba(context, *packed, format, image.bytes, bits, out);
     Rgba* to = out.data();
     if (type != GL_UNSIGNED_BYTE || format == GL_COLOR_INDEX || out.size() < fewest_pixels)
         return for_each_host_color(context, width, height, format, type, image,
@@ -215,15 +272,21 @@ std::vector<Rgba> transferred_rgba(const Context& context, std::span<const std::
 
 std::vector<double> host_depths(const Context& context, GLsizei width, GLsizei height, GLenum type,
                                 const HostImage& image) {
-    std::vector<double> out;
-    for_each_pixel(width, height, GL_DEPTH_COMPONENT, type, image,
-                   [&](const auto& v) { out.push_back(transferred_depth(context, v[0])); });
+    std::vector<double> out(std::size_t(width) * std::size_t(height));
+    load_components(type, image.bytes.data(), out, false);
+    for (double& depth : out) depth = transferred_depth(context, depth);
     return out;
 }
 
 std::vector<GLuint> host_stencils(const Context& context, GLsizei width, GLsizei height,
                                   GLenum type, const HostImage& image) {
     std::vector<GLuint> out;
+    out.reserve(std::size_t(width) * std::size_t(height));
+    if (type == GL_UNSIGNED_BYTE && leaves_stencils(context.state.pixel)) {
+        for (const std::byte stencil : image.bytes.first(out.capacity()))
+            out.push_back(std::to_integer<GLuint>(stencil));
+        return out;
+    }
     for_each_pixel(width, height, GL_STENCIL_INDEX, type, image,
                    [&](const auto& v) { out.push_back(transferred_stencil(context, v[0])); });
     return out;
@@ -244,24 +307,31 @@ std::vector<std::byte> packed_depths_and_stencils(const DepthsAndStencils& value
     const PackedType& packed = *packed_type(GL_UNSIGNED_INT_24_8);
     std::vector<std::byte> out(values.depths.size() * packed.bytes);
     for (std::size_t i = 0; i < values.depths.size(); ++i)
-        store_packed(packed, &out[i * packed.bytes],
-                     {values.depths[i], double(values.stencils[i] & 255) / 255});
+        store_packed_number(packed, &out[i * packed.bytes],
+                            nearest_depth(values.depths[i]) << 8 | (values.stencils[i] & 255));
     return out;
 }
 
-std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum format, GLenum type) {
+std::vector<std::byte> packed_colors(const std::vector<vec4>& colors, GLenum given_format,
+                                     GLenum given_type) {
+    const auto [format, type] = as_bytes(given_format, given_type);
     const PackedType* const packed = packed_type(type);
     const auto count = std::size_t(packed != nullptr ? 1 : component_count(format));
     const std::size_t bytes = component_bytes(type);
     std::vector<std::byte> out(colors.size() * count * bytes);
     std::byte* at = out.data();
-    for (const vec4& color : colors) {
-        const std::array<double, 4> v = components_of(format, color);
-        if (packed != nullptr)
-            store_packed(*packed, at, v), at += bytes;
-        else
-            for (std::size_t i = 0; i < count; ++i, at += bytes)
-                store_component(type, at, v[i], false);
+    if (packed != nullptr) {
+        for (const vec4& color : colors)
+            store_packed(*packed, at, components_of(format, color)), at += bytes;
+        return out;
+    }
+    std::array<double, 256> values;
+    for (std::span<const vec4> rest(colors); !rest.empty();) {
+        const auto part = rest.first(std::min(rest.size(), values.size() / 4));
+        fill_components(format, part, values);
+        store_components(type, at, std::span(values).first(part.size() * count), false);
+        at += part.size() * count * bytes;
+        rest = rest.subspan(part.size());
     }
     return out;
 }

@@ -17,6 +17,8 @@ struct PixelState;
 
 /// Whether transfer leaves colours in 0 .. 1 as they are.
 bool leaves_colors(const PixelState& s);
+/// Whether it leaves stencil values as they are.
+bool leaves_stencils(const PixelState& s);
 /// Scale, bias and the maps from colours to colours; clamped to 0 .. 1.
 vec4 transferred_color(const Context& context, vec4 color);
 double transferred_depth(const Context& context, double depth);

@@ -61,13 +61,14 @@ struct Drawable {
         for (std::size_t k = 0; k < frames.size(); ++k)
             frames[k].write(frames[k].whole(), planes[k]);
     }
-    /// Some planes of a rectangle of each frame, which write_part() puts back.
+    /// Some planes of a rectangle of each frame, which write_part() puts back. Color is the front plane.
     std::vector<Planes> read_part(const Rect& rect, PlaneMask wanted, int threads) {
         Planes part;
         part.width = rect.width;
         part.height = rect.height;
         if (wanted & mask_of(Plane::Color)) part.color.resize(rect.area());
-        if (part.color.size() > 0 && profile.color_planes == 2) part.back = part.color;
+        if ((wanted & mask_of(Plane::Back)) && profile.color_planes == 2 && surface.is_window())
+            part.back.resize(rect.area());
         if (wanted & mask_of(Plane::Depth)) part.depth.resize(rect.area());
         if (wanted & mask_of(Plane::Stencil)) part.stencil.resize(rect.area());
         std::vector<Planes> parts(frames.size(), part);
@@ -191,10 +192,10 @@ private:
         if (!is_new) return found->second;
         Drawable& surface = drawable(from.surface);
         if (in_place) return found->second = depths_in_place(surface.frames[0], surface.profile);
-        const Planes& planes = surface.read(threads_);
-        const Rect whole{0, 0, planes.width, planes.height};
+        const Rect whole = surface.frames[0].whole();
+        const Planes part = surface.read_part(whole, mask_of(from.plane), threads_)[0];
         return found->second = make_fast_texels(
-                   plane_texels(from.plane, whole, planes.color, planes, surface.profile));
+                   plane_texels(from.plane, whole, part.color, part, surface.profile));
     }
     void forget_texels(std::uint32_t number) {
         std::erase_if(surface_texels_,
@@ -220,10 +221,17 @@ private:
     /// Draws what the source has now, as a segment of its own.
     void run_barrier(const DrawPixels& command) {
         const Surface& surface = used_->surface;
-        count(source_box(command, surface.width, surface.height).area(),
-              plane_bytes(command.source->plane, used_->profile));
+        const Rect box = source_box(command, surface.width, surface.height);
+        count(box.area(), plane_bytes(command.source->plane, used_->profile));
+        const ReadBuffer buffer = resolved().state.read_buffer;
+        const Plane plane = command.source->plane == Plane::Color && buffer == ReadBuffer::Back
+                                ? Plane::Back
+                                : command.source->plane;
+        DrawPixels of_part = command;
+        of_part.source->x -= box.x;
+        of_part.source->y -= box.y;
         const Command drawn =
-            with_values(command, resolved().state.read_buffer, used_->read(threads_));
+            with_values(of_part, buffer, used_->read_part(box, mask_of(plane), threads_)[0]);
         plan_segment({&drawn, 1}, machine_, used_->profile, used_->target(), threads_);
         run_segment();
     }
@@ -260,20 +268,21 @@ private:
     void run_barrier(const Blit& command) {
         const Resolved r = resolved();
         Drawable& from = drawable(command.from_surface);
-        if (stays_in_place(command, r.state.draw_buffer))
-            blit_tiles(command, r, from);
+        const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+        if (stays_in_place(command, planes, r.state.draw_buffer))
+            blit_tiles(command, planes, r, from);
         else
-            blit_planes(command, r, from);
+            blit_planes(command, planes, r, from);
         forget_texels(number_);
     }
-    /// Whether each pixel keeps its place, in one plane of another surface.
-    bool stays_in_place(const Blit& c, DrawBuffer to) const {
+    /// Whether each pixel keeps its place, in planes of another surface, one of colours.
+    bool stays_in_place(const Blit& c, PlaneMask planes, DrawBuffer to) const {
         return c.from_surface != number_ && c.source == c.target && !c.flip_x && !c.flip_y &&
-               (to == DrawBuffer::Front || to == DrawBuffer::Back);
+               ((planes & mask_of(Plane::Color)) == 0 || to == DrawBuffer::Front ||
+                to == DrawBuffer::Back);
     }
     /// Copies tile by tile.
-    void blit_tiles(const Blit& command, const Resolved& r, Drawable& from) {
-        const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+    void blit_tiles(const Blit& command, PlaneMask planes, const Resolved& r, Drawable& from) {
         const Rect box = intersect(intersect(r.pixel_box, command.target),
                                    {0, 0, from.surface.width, from.surface.height});
         for (const Plane plane : every_plane)
@@ -291,15 +300,18 @@ private:
         });
         used_->change();
     }
-    void blit_planes(const Blit& command, Resolved r, Drawable& from) {
+    static PlaneMask with_back(PlaneMask planes) {
+        return planes & mask_of(Plane::Color) ? PlaneMask(planes | mask_of(Plane::Back)) : planes;
+    }
+    void blit_planes(const Blit& command, PlaneMask planes, Resolved r, Drawable& from) {
         const BlitParts parts = blit_parts(command, r.pixel_box, from.surface);
         r.pixel_box = {0, 0, parts.target.width, parts.target.height};
         const Profile& p = used_->profile;
-        const PlaneMask planes = blitted_planes(command, from.surface, used_->surface);
+        const PlaneMask both = with_back(planes);
         // Copies: it may be the target, too.
         const std::vector<Planes> source =
-            blit_samples(from.read_part(parts.source, planes, threads_), used_->surface);
-        std::vector<Planes> to = used_->read_part(parts.target, planes, threads_);
+            blit_samples(from.read_part(parts.source, both, threads_), used_->surface);
+        std::vector<Planes> to = used_->read_part(parts.target, both, threads_);
         for (const Plane plane : every_plane) {
             if ((planes & mask_of(plane)) == 0) continue;
             std::uint64_t pixels = 0;

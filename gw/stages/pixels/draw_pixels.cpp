@@ -125,19 +125,24 @@ DrawPixels with_values(const DrawPixels& command, ReadBuffer buffer, const Plane
     if (from.plane == Plane::Color) out.colors.resize(out.area());
     if (from.plane == Plane::Depth) out.depths.resize(out.area());
     if (from.plane == Plane::Stencil) out.stencils.resize(out.area());
-    for (int y = box.y; y < box.y + box.height; ++y)
-        for (int x = box.x; x < box.x + box.width; ++x) {
-            const std::size_t i = planes.index(x, y), column = std::size_t(x - from.x),
-                              row = std::size_t(y - from.y),
-                              k = pixel_index(x - from.x, y - from.y, out.width);
-            const std::size_t byte = row * out.bit_row() + column / 8;
-            const unsigned bit = 128u >> column % 8;
+    for (int y = box.y; y < box.y + box.height; ++y) {
+        const std::size_t first = planes.index(box.x, y),
+                          to = pixel_index(box.x - from.x, y - from.y, out.width);
+        const auto copy = [&](const auto& values, auto& row) {
+            std::copy_n(values.begin() + std::ptrdiff_t(first), box.width,
+                        row.begin() + std::ptrdiff_t(to));
+        };
+        if (from.plane == Plane::Color) copy(colors, out.colors);
+        if (from.plane == Plane::Depth) copy(planes.depth, out.depths);
+        if (from.plane == Plane::Stencil) copy(planes.stencil, out.stencils);
+        const std::size_t row = std::size_t(y - from.y) * out.bit_row();
+        for (int x = box.x - from.x; x < box.x - from.x + box.width; ++x) {
+            const std::size_t byte = row + std::size_t(x) / 8;
+            const unsigned bit = 128u >> x % 8;
             if (command.bits.empty() || command.bits[byte] & bit)
                 out.bits[byte] = static_cast<std::uint8_t>(out.bits[byte] | bit);
-            if (from.plane == Plane::Color) out.colors[k] = colors[i];
-            if (from.plane == Plane::Depth) out.depths[k] = planes.depth[i];
-            if (from.plane == Plane::Stencil) out.stencils[k] = planes.stencil[i];
         }
+    }
     return out;
 }
 

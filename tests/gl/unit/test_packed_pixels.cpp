@@ -1,6 +1,9 @@
 // Pixels packed into one number: EXT_packed_pixels, OpenGL 1.2's reversed types, EXT_packed_depth_stencil.
 #include "tests/gl/unit/support/window.h"
 
+#include <cmath>
+#include <cstdint>
+
 namespace gw::gl {
 namespace {
 
@@ -149,6 +152,139 @@ TEST(GlPackedPixels, DepthsAndStencilsAreWrittenTogether) {
     glPixelTransferi(GL_INDEX_OFFSET, 0);
     EXPECT_EQ(read(20, 20), (Pairs{0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03, 0xFFFFFF03}));
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
+namespace {
+
+/// A packed type's bits from the first component on, by [GL12] table 3.8.
+struct Layout {
+    GLenum type;
+    std::size_t bytes;
+    std::array<unsigned, 4> bits;
+    bool is_reversed;
+};
+constexpr Layout layouts[] = {
+    {GL_UNSIGNED_BYTE_3_3_2, 1, {3, 3, 2, 0}, false},
+    {GL_UNSIGNED_BYTE_2_3_3_REV, 1, {3, 3, 2, 0}, true},
+    {GL_UNSIGNED_SHORT_5_6_5, 2, {5, 6, 5, 0}, false},
+    {GL_UNSIGNED_SHORT_5_6_5_REV, 2, {5, 6, 5, 0}, true},
+    {GL_UNSIGNED_SHORT_4_4_4_4, 2, {4, 4, 4, 4}, false},
+    {GL_UNSIGNED_SHORT_4_4_4_4_REV, 2, {4, 4, 4, 4}, true},
+    {GL_UNSIGNED_SHORT_5_5_5_1, 2, {5, 5, 5, 1}, false},
+    {GL_UNSIGNED_SHORT_1_5_5_5_REV, 2, {5, 5, 5, 1}, true},
+    {GL_UNSIGNED_INT_8_8_8_8, 4, {8, 8, 8, 8}, false},
+    {GL_UNSIGNED_INT_8_8_8_8_REV, 4, {8, 8, 8, 8}, true},
+    {GL_UNSIGNED_INT_10_10_10_2, 4, {10, 10, 10, 2}, false},
+    {GL_UNSIGNED_INT_2_10_10_10_REV, 4, {10, 10, 10, 2}, true},
+};
+
+/// The channels R, G, B, A of the components of a format.
+std::array<std::size_t, 4> channels_of(GLenum format) {
+    if (format == GL_BGRA) return {2, 1, 0, 3};
+    if (format == GL_ABGR_EXT) return {3, 2, 1, 0};
+    return {0, 1, 2, 3};
+}
+
+/// Calls visit(component, shift) for each one.
+template <class Visit>
+void each_component(const Layout& layout, Visit visit) {
+    unsigned below = 0, above = unsigned(8 * layout.bytes);
+    for (std::size_t i = 0; i < 4 && layout.bits[i] != 0; ++i) {
+        above -= layout.bits[i];
+        visit(i, layout.is_reversed ? below : above);
+        below += layout.bits[i];
+    }
+}
+
+double largest(unsigned bits) { return double((1u << bits) - 1); }
+
+/// 32 x 32 numbers of a layout.
+std::vector<GLubyte> numbers(const Layout& layout) {
+    std::vector<GLubyte> out(32 * 32 * layout.bytes);
+    std::uint32_t state = 7;
+    for (GLubyte& byte : out) byte = GLubyte((state = state * 1664525 + 1013904223) >> 24);
+    return out;
+}
+std::uint32_t number_at(const Layout& layout, const std::vector<GLubyte>& from, std::size_t i) {
+    std::uint32_t out = 0;
+    for (std::size_t k = layout.bytes; k-- > 0;) out = out << 8 | from[i * layout.bytes + k];
+    return out;
+}
+
+template <class Check>
+void for_each_layout(Check check) {
+    for (const Layout& layout : layouts)
+        for (const GLenum format : {GL_RGB, GL_RGBA, GL_BGRA, GL_ABGR_EXT}) {
+            const bool has_alpha = layout.bits[3] != 0;
+            if (has_alpha != (format != GL_RGB)) continue;
+            if (format == GL_ABGR_EXT && layout.bits[0] != layout.bits[3]) continue;
+            SCOPED_TRACE(testing::Message() << std::hex << layout.type << " " << format);
+            check(layout, format);
+        }
+}
+
+}  // namespace
+
+/// So many that tables convert them, with and without pixel transfer.
+TEST(GlPackedPixels, ManyAreDrawnAsTheirComponents) {
+    for_each_layout([](const Layout& layout, GLenum format) {
+        const std::vector<GLubyte> pixels = numbers(layout);
+        for (const float scale : {1.0f, 0.5f}) {
+            const Window window(32, 32);
+            use_pixel_coordinates(window);
+            glPixelTransferf(GL_GREEN_SCALE, scale);
+            glRasterPos2i(0, 0);
+            glDrawPixels(32, 32, format, layout.type, pixels.data());
+            glPixelTransferf(GL_GREEN_SCALE, 1);
+            const auto drawn = window.pixels();
+            for (std::size_t i = 0; i < drawn.size(); ++i) {
+                std::array<double, 4> wanted{0, 0, 0, 1};
+                each_component(layout, [&](std::size_t k, unsigned shift) {
+                    const double most = largest(layout.bits[k]);
+                    wanted[channels_of(format)[k]] =
+                        double(number_at(layout, pixels, i) >> shift & unsigned(most)) / most;
+                });
+                wanted[1] *= double(scale);
+                // Of 10 bits, halves are at hand; else the nearest value is the only one.
+                for (std::size_t k = 0; k < 4; ++k)
+                    ASSERT_LE(std::abs(wanted[k] * 255 - drawn[i][k]), 0.5001) << i << ' ' << k;
+            }
+        }
+    });
+}
+
+TEST(GlPackedPixels, ManyAreReadAsTheirComponents) {
+    for_each_layout([](const Layout& layout, GLenum format) {
+        const Window window(32, 32);
+        use_pixel_coordinates(window);
+        const std::vector<GLubyte> colors = numbers({GL_UNSIGNED_BYTE, 4, {}, false});
+        glRasterPos2i(0, 0);
+        glDrawPixels(32, 32, GL_RGBA, GL_UNSIGNED_BYTE, colors.data());
+        for (const GLint alignment : {1, 8}) {
+            glPixelStorei(GL_PACK_ALIGNMENT, alignment);
+            std::vector<GLubyte> read(32 * 32 * layout.bytes);
+            glReadPixels(0, 0, 32, 32, format, layout.type, read.data());
+            for (std::size_t i = 0; i < 32 * 32; ++i)
+                each_component(layout, [&](std::size_t k, unsigned shift) {
+                    const double most = largest(layout.bits[k]);
+                    const double color = colors[4 * i + channels_of(format)[k]] / 255.0;
+                    ASSERT_EQ(number_at(layout, read, i) >> shift & unsigned(most),
+                              unsigned(std::floor(color * most + 0.5)))
+                        << i << ' ' << k;
+                });
+        }
+    });
+}
+
+TEST(GlPackedPixels, ManyTexelsAreReadAsTheirComponents) {
+    for_each_layout([](const Layout& layout, GLenum format) {
+        const Window window(4, 4);
+        const std::vector<GLubyte> pixels = numbers(layout);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, 32, 32, 0, format, layout.type, pixels.data());
+        std::vector<GLubyte> read(pixels.size());
+        glGetTexImage(GL_TEXTURE_2D, 0, format, layout.type, read.data());
+        EXPECT_EQ(read, pixels);
+    });
 }
 
 TEST(GlPackedPixels, DepthsAndStencilsAreNoColors) {
