@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/shade/colors-inl.h"
+#include "gw/fast/shade/combine-inl.h"
 #include "gw/fast/shade/coordinates-inl.h"
 #include "gw/fast/shade/look_up-inl.h"
 #include "gw/fast/shade/wide_colors-inl.h"
@@ -122,16 +123,25 @@ HWY_INLINE void modulate_bytes(const ColorBlock& color, const ColorBlock& texel,
                 d, out.channel[c] + i);
 }
 
-/// Lane by lane.
+/// Lane by lane, if the lanes cannot be combined together.
 HWY_NOINLINE inline void combine_block(const DrawOp& op, const ColorBlock& color,
                                        const ColorBlock& texel, ColorBlock& out) {
+    const TextureState& state = op.state.state.texture;
+    if (combines_lanes(state, op.state.bits)) {
+        const CombineBlocks in{.texel = {&texel},
+                               .format = {op.texels->texels.format},
+                               .constant = op.state.env_color,
+                               .primary = &color,
+                               .previous = &color,
+                               .bits = op.state.bits};
+        return combine_lanes(state, in, out);
+    }
     const auto at = [](const ColorBlock& b, std::size_t i) {
         return Rgba{b.channel[0][i], b.channel[1][i], b.channel[2][i], b.channel[3][i]};
     };
     for (std::size_t i = 0; i < block_pixels; ++i) {
-        const Rgba combined =
-            texture_environment(op.state.state.texture, op.texels->texels.format, at(color, i),
-                                at(texel, i), op.state.env_color, op.state.bits);
+        const Rgba combined = texture_environment(state, op.texels->texels.format, at(color, i),
+                                                  at(texel, i), op.state.env_color, op.state.bits);
         for (std::size_t c = 0; c < 4; ++c) out.channel[c][i] = combined[c];
     }
 }
@@ -181,12 +191,26 @@ HWY_NOINLINE inline void apply_all(const TileDraw& draw, const ColorBlock& color
     const DrawOp& op = *draw.op;
     const auto mode = [&](std::size_t unit) { return texture_of(op.state.state, unit).env; };
     const auto is_on = [&](std::size_t unit) { return (*op.units)[unit].texels != nullptr; };
-    for (std::size_t unit = 0; unit < max_texture_units; ++unit)
-        if (is_on(unit) && mode(unit) == TexEnv::Combine)
+    CombineBlocks blocks{.primary = &color, .previous = &color, .bits = op.state.bits};
+    for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+        if (!is_on(unit)) continue;
+        blocks.texel[unit] = &texels[unit];
+        blocks.format[unit] = (*op.units)[unit].texels->texels.format;
+        if (mode(unit) == TexEnv::Combine &&
+            !combines_lanes(texture_of(op.state.state, unit), op.state.bits))
             return apply_units(draw, color, texels, out);
+    }
     const ColorBlock* from = &color;
     for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
         if (!is_on(unit)) continue;
+        if (mode(unit) == TexEnv::Combine) {
+            blocks.unit = unit;
+            blocks.constant = op.state.texture(unit).env_color;
+            blocks.previous = from;
+            combine_lanes(texture_of(op.state.state, unit), blocks, out);
+            from = &out;
+            continue;
+        }
         apply_environment(mode(unit), (*op.units)[unit].texels->texels.format,
                           op.state.texture(unit).env_color, op.state.bits, *from, texels[unit],
                           out);
