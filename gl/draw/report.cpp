@@ -9,6 +9,7 @@
 #include "gw/stages/vertex.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gw::gl {
 
@@ -95,10 +96,19 @@ ViewportTransform sides_of_view_volume(const gw::State& state) {
     return out;
 }
 
+/// The state without colours, for selection: it asks for depths only.
+gw::State reported_state(const Context& context) {
+    gw::State out = context.translated.state;
+    if (context.selection.mode != GL_SELECT) return out;
+    out.color_source = ColorSource::PolygonId;
+    out.fog.enable = false;
+    return out;
+}
+
 struct Reporter {
     Context& context;
     const Draw& draw;
-    const gw::State& state = context.translated.state;
+    const gw::State state = reported_state(context);
     VertexProgram program = vertex_program(state, draw, context.profile);
     ViewportTransform viewport = resolve(state, context.profile, std::max(1, state.viewport.width),
                                          std::max(1, state.viewport.height))
@@ -107,6 +117,10 @@ struct Reporter {
     void report_given(const Given& given);
 
 private:
+    bool is_outlined() const {
+        return mode_of(state, true) != gw::PolygonMode::Fill ||
+               mode_of(state, false) != gw::PolygonMode::Fill;
+    }
     Reported reported(const Vertex& v, bool front) const;
     bool is_front(const std::vector<Vertex>& vertices) const;
     void report_point(const Reported& v);
@@ -188,6 +202,7 @@ void Reporter::report_outline(const std::vector<Vertex>& vertices, const Given& 
 
 void Reporter::report_given(const Given& given) {
     std::vector<Vertex> vertices;
+    vertices.reserve(given.vertices.size());
     for (const std::uint32_t index : given.vertices) vertices.push_back(run_vertex(program, index));
     if (state.shade_model == ShadeModel::Flat) {
         const Vertex provoking = vertices[given.provoking];
@@ -196,7 +211,9 @@ void Reporter::report_given(const Given& given) {
             v.back_color = provoking.back_color;
         }
     }
-    const Clipped clipped = clip(vertices, sides_of_view_volume(state));
+    const ViewportTransform sides = sides_of_view_volume(state);
+    const Clipped clipped =
+        is_outlined() ? clip(vertices, sides) : clip(std::move(vertices), sides);
     if (clipped.vertices.empty()) return;
     const bool is_polygon = given.vertices.size() > 2;
     const bool front = !is_polygon || is_front(clipped.vertices);
@@ -206,6 +223,7 @@ void Reporter::report_given(const Given& given) {
     if (is_polygon && mode_of(state, front) != gw::PolygonMode::Fill)
         return report_outline(vertices, given, front);
     std::vector<Reported> out;
+    out.reserve(clipped.vertices.size());
     for (const Vertex& v : clipped.vertices) out.push_back(reported(v, front));
     if (out.size() == 1) return report_point(out[0]);
     if (out.size() == 2) return report_line(out[0], out[1], given.begins_stipple);
@@ -224,11 +242,19 @@ void begin_at_first_corner(Given& quad) {
 }  // namespace
 
 void report(Context& context, const Draw& submitted) {
-    const Draw draw = with_texture_coordinates(submitted);
+    Draw draw = submitted;
+    if (context.selection.mode == GL_SELECT) {
+        draw.map = {};
+        draw.more_maps = nullptr;
+    } else {
+        draw = with_texture_coordinates(std::move(draw));
+    }
     Reporter reporter{context, draw};
     const MeshData& data = draw.mesh->data();
+    Given given;
     for_each_run(data, [&](std::size_t first, std::size_t count) {
-        Given given;
+        given.vertices.clear();
+        given.edges.clear();
         for (std::size_t i = 0; i < count; ++i) {
             given.vertices.push_back(vertex_index(data, first + i));
             given.edges.push_back(data.edge_flags.empty() ||
