@@ -9,11 +9,9 @@ std::vector<PixelKind> pixel_kinds(const std::vector<XVisualInfo>& visuals,
     std::vector<PixelKind> out;
     for (const XVisualInfo& visual : visuals) out.push_back({0, visual});
     if (!profile.extensions.surfaces || !profile.extensions.multisample) return out;
-    for (const int samples : {4, 8}) {
-        std::set<int> depths;
-        for (const XVisualInfo& visual : visuals)
-            if (depths.insert(visual.depth).second) out.push_back({samples, visual});
-    }
+    std::set<int> depths;
+    for (const XVisualInfo& visual : visuals)
+        if (depths.insert(visual.depth).second) out.push_back({4, visual});
     return out;
 }
 

@@ -13,8 +13,8 @@ struct PixelKind {
     XVisualInfo visual{};
 };
 
-/// Each visual without samples; then, on a profile that has them, the first one of each depth with 4
-/// and with 8.
+/// Each visual without samples; then, on a profile that has them, the first one of each depth with 4.
+/// Of 8, two lie on sides of the pixel ([R17.2]): what fills a window would leave its lowest row out.
 std::vector<PixelKind> pixel_kinds(const std::vector<XVisualInfo>& visuals, const Profile& profile);
 
 }  // namespace gw::gl::x11
