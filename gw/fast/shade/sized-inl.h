@@ -1,5 +1,6 @@
-// Look-ups of a block in textures of 8 bits whose sides are no powers of two. docs/manual/texture.md;
-// scalar twin: gw/fast/shade/texture_by_pixel.cpp. Included once per Highway target.
+// Look-ups of a block in textures of 8 bits that have two dimensions, of any size and wrap, with
+// coordinates that are projective or not. docs/manual/texture.md; scalar twin:
+// gw/fast/shade/texture_by_pixel.cpp. Included once per Highway target.
 #if defined(GW_FAST_SIZED_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_SIZED_INL_H_
 #undef GW_FAST_SIZED_INL_H_
@@ -20,9 +21,8 @@ namespace gw::fast::HWY_NAMESPACE {
 HWY_INLINE bool looks_up_sized(const TextureState& s, const UnitOp& unit, const TexturePlanes& p) {
     const Texels& texels = unit.texels->texels;
     const auto fits = [](const TexturePlane& t) { return t.exponent <= largest_exponent_in_float; };
-    return texels.any_size && !texels.with_r && !s.shadow_compare && !unit.projective &&
-           !texels.packed.empty() && s.wrap_s != Wrap::MirroredRepeat &&
-           s.wrap_t != Wrap::MirroredRepeat && fits(p.s) && fits(p.t);
+    return !texels.with_r && !texels.cube && !s.shadow_compare && !texels.packed.empty() &&
+           fits(p.s) && fits(p.t);
 }
 
 /// A block of one primitive.
@@ -34,27 +34,36 @@ public:
           state_(state),
           texels_(texels),
           resolved_(resolved),
-          how_(addressing(state, texels, resolved.border_color)) {}
+          how_(addressing(state, texels, resolved.border_color)),
+          border_(packed(how_.border_color)) {}
 
-    /// Precondition of the values: denominators at least 1 in the lanes of `mask`.
+    /// Precondition of the values: denominators at least 1 in the lanes of `mask`, unless they are
+    /// projective. There the texel is white.
     HWY_INLINE void look_up(const TexelValues& values, const Tile& tile, int bx, int by,
                             std::uint32_t mask, ColorBlock& out) {
         const bool by_rho = needs_rho(state_);
-        divide(values);
+        const std::uint32_t outside = divide(values) & mask;
         if (by_rho) find_rho(tile, bx, by);
         const auto fetch_one = [&](std::size_t lane, int level, bool linear, CornerLanes& corners) {
             fetch(lane, texels_.levels[std::size_t(level)], linear, corners);
         };
-        found_.fetch(state_, int(texels_.levels.size()), by_rho ? rho_ : nullptr, mask, fetch_one);
+        found_.fetch(state_, int(texels_.levels.size()), by_rho ? rho_ : nullptr, mask & ~outside,
+                     fetch_one);
+        for (std::uint32_t rest = outside; rest != 0; rest &= rest - 1)
+            found_.put_white(std::size_t(std::countr_zero(rest)));
         found_.filter(mask, out);
     }
 
 private:
-    HWY_INLINE void divide(const TexelValues& values) {
+    /// Returns the lanes with denominators below 1.
+    HWY_INLINE std::uint32_t divide(const TexelValues& values) {
         const F32 f;
         const I32 d;
+        std::uint32_t outside = 0;
         for (std::size_t i = 0; i < block_pixels; i += lanes32) {
-            const auto w = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, hn::Load(d, values.q + i)));
+            const auto q = hn::Load(d, values.q + i), one = hn::Set(d, 1);
+            outside |= bits_of(d, hn::Lt(q, one), lanes32) << i;
+            const auto w = hn::Div(hn::Set(f, 1.0f), hn::ConvertTo(f, hn::Max(q, one)));
             const auto over = [&](const std::int32_t* u, const TexturePlane& of) {
                 const auto scale = static_cast<float>(power_of_two(of.exponent));
                 return hn::Mul(hn::Mul(hn::ConvertTo(f, hn::Load(d, u + i)), w), hn::Set(f, scale));
@@ -63,6 +72,7 @@ private:
             hn::Store(over(values.s, p_.s), f, s_ + i);
             hn::Store(over(values.t, p_.t), f, t_ + i);
         }
+        return outside;
     }
     HWY_INLINE void find_rho(const Tile& tile, int bx, int by) {
         const F32 f;
@@ -80,10 +90,26 @@ private:
                 limited_rho(rho_lanes(hn::Load(f, spread + i), hn::Load(f, w_ + i)), resolved_), f,
                 rho_ + i);
     }
-    /// any_position() of gw/stages/perspective.h of a quotient that is scaled by 2^exponent.
-    HWY_INLINE static int position(float scaled, std::int32_t k, int size, Wrap wrap) {
+    HWY_INLINE int mirrored(float scaled, std::int32_t k, int size) const {
+        constexpr double most = 1099511627776.0;  // 2^40
+        const std::int64_t texels = 256 * std::int64_t{size};
+        const double n = std::floor(double(scaled) * double(texels));
+        if (texels_.any_size || !(std::abs(n) < most))
+            return any_position(double(scaled), 0, k, size, Wrap::MirroredRepeat);
+        return static_cast<int>((static_cast<std::int64_t>(n) + k * texels) & (2 * texels - 1));
+    }
+    /// PixelSampler::position() of gw/fast/shade/texture_by_pixel.cpp of a quotient that is scaled by
+    /// 2^exponent, modulo the size under Repeat.
+    HWY_INLINE int position(float scaled, std::int32_t k, int size, Wrap wrap) const {
         constexpr std::int64_t limit = std::int64_t{1} << 30;
         const std::int64_t texels = 256 * std::int64_t{size};
+        if (wrap == Wrap::MirroredRepeat) return mirrored(scaled, k, size);
+        if (!texels_.any_size) {
+            const double u = double(scaled) * double(texels);
+            const auto n =
+                static_cast<std::int64_t>(std::floor(std::clamp(u, -double(limit), double(limit))));
+            return static_cast<int>(wrap == Wrap::Repeat ? n & (texels - 1) : n + k * texels);
+        }
         const auto n = static_cast<std::int64_t>(std::floor(double(scaled) * double(texels)));
         if (wrap != Wrap::Repeat)
             return static_cast<int>(std::clamp(n + k * texels, -limit, limit));
@@ -96,24 +122,42 @@ private:
                           CornerLanes& out) const {
         const int u = position(s_[lane], p_.s.k, level.width, how_.wrap_s),
                   v = position(t_[lane], p_.t.k, level.height, how_.wrap_t);
-        if (!linear) return out.put_one(lane, packed(lookup(texels_, level, false, how_, u, v)));
+        if (!linear) return out.put_one(lane, nearest(level, u, v));
         const int us = clamped_position(how_.wrap_s, u, level.width) - 128,
                   vs = clamped_position(how_.wrap_t, v, level.height) - 128;
         const int i = us >> 8, j = vs >> 8;
-        const bool is_inside = i >= 0 && j >= 0 && i < level.width - 1 && j < level.height - 1;
-        if (!is_inside) return fetch_at_side(lane, level, us, vs, out);
+        if (i < 0 || j < 0 || i >= level.width - 1 || j >= level.height - 1)
+            return fetch_at_side(lane, level, us, vs, out);
         const std::uint32_t *const low = texels_.packed.data() + level.index(i, j), *const high =
                                                                                         low +
                                                                                         level.width;
         out.put(lane, low[0], low[1], high[0], high[1], us & 255, vs & 255);
     }
+    HWY_INLINE std::uint32_t nearest(const TexelLevel& level, int u, int v) const {
+        return texel(level, wrap_index(how_.wrap_s, u >> 8, level.width),
+                     wrap_index(how_.wrap_t, v >> 8, level.height));
+    }
     HWY_NOINLINE void fetch_at_side(std::size_t lane, const TexelLevel& level, int us, int vs,
                                     CornerLanes& out) const {
         const int i = us >> 8, j = vs >> 8;
-        const auto at = [&](int x, int y) {
-            return packed(filter_texel(texels_, level, how_, x, y));
-        };
-        out.put(lane, at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1), us & 255, vs & 255);
+        const auto column = [&](int x) { return index(how_.wrap_s, x, level.width); };
+        const auto row = [&](int y) { return index(how_.wrap_t, y, level.height); };
+        const int x0 = column(i), x1 = column(i + 1), y0 = row(j), y1 = row(j + 1);
+        out.put(lane, texel(level, x0, y0), texel(level, x1, y0), texel(level, x0, y1),
+                texel(level, x1, y1), us & 255, vs & 255);
+    }
+    /// filter_index() of gw/stages/texels.h.
+    HWY_INLINE static int index(Wrap wrap, int i, int size) {
+        return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
+    }
+    /// Of indices that are folded, -1 .. size.
+    HWY_INLINE std::uint32_t texel(const TexelLevel& level, int i, int j) const {
+        if (is_inside(level, i, j)) return texels_.packed[level.index(i, j)];
+        if (level.bordered.empty()) return border_;
+        return packed(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
+    }
+    HWY_INLINE static bool is_inside(const TexelLevel& level, int i, int j) {
+        return i >= 0 && j >= 0 && i < level.width && j < level.height;
     }
 
     const TexturePlanes& p_;
@@ -121,6 +165,7 @@ private:
     const Texels& texels_;
     const ResolvedTexture& resolved_;
     const Addressing how_;
+    const std::uint32_t border_;
     alignas(64) float w_[block_pixels], s_[block_pixels], t_[block_pixels], rho_[block_pixels];
     FetchedTexels found_;
 };
