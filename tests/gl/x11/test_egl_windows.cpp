@@ -48,6 +48,33 @@ TEST_F(EglX11, TheFirstConfigurationHasTheDefaultVisual) {
     EXPECT_EQ(type, EGL_WINDOW_BIT | EGL_PIXMAP_BIT | EGL_PBUFFER_BIT);
 }
 
+/// EGL_SAMPLES: half of the samples of column 2 are covered.
+TEST_F(EglX11, SamplesOfAPbufferAreReadAsTheirMeans) {
+    const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_SAMPLES, 4, EGL_NONE},
+                 size[] = {EGL_WIDTH, 8, EGL_HEIGHT, 8, EGL_NONE};
+    EGLint count = 0;
+    ASSERT_TRUE(eglChooseConfig(egl, wanted, &egl_config, 1, &count));
+    ASSERT_EQ(count, 1);
+    const EGLSurface surface = eglCreatePbufferSurface(egl, egl_config, size);
+    const EGLContext context = eglCreateContext(egl, egl_config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(egl, surface, surface, context));
+    const auto red_at = [](int x) {
+        GLubyte red = 1;
+        glReadPixels(x, 1, 1, 1, GL_RED, GL_UNSIGNED_BYTE, &red);
+        return int(red);
+    };
+    glOrtho(0, 8, 0, 8, -1, 1);
+    for (int frame = 0; frame < 3; ++frame) {
+        clear_to(0, 0, 0);
+        glRectf(2.5f, 0, 8, 8);
+        EXPECT_EQ(red_at(1), 0);
+        EXPECT_EQ(red_at(2), 128);
+        EXPECT_EQ(red_at(3), 255);
+        EXPECT_TRUE(eglSwapBuffers(egl, surface));
+        EXPECT_EQ(red_at(2), 128) << "it stays";
+    }
+}
+
 TEST_F(EglX11, SwapBuffersShowsTheBackBuffer) {
     const EGLSurface surface = draw_to_window();
     clear_to(1, 0, 0);
