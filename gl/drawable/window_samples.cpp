@@ -41,6 +41,7 @@ void WindowSamples::use(std::uint32_t number, CommandList& out) {
 
 void WindowSamples::make(CommandList& out) {
     if (is_made_) return;
+    use(0, out);  // after an error, the surface may be there and in use
     out.add(own_surface());
     is_made_ = true;
 }

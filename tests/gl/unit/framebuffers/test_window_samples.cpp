@@ -185,6 +185,23 @@ TEST(WindowSamples, FollowANewSize) {
     EXPECT_EQ(pixel_at(1, 1), black);
 }
 
+/// After an error of the machine, nobody knows which surfaces it has.
+TEST(WindowSamples, GoOnAfterAnError) {
+    WindowSamples samples(8, 8, 4);
+    CommandList before, after;
+    before.add(BeginPass{"before"});
+    samples.prepare(gw::Clear{.planes = mask_of(Plane::Color)}, gw::State(), before);
+    const auto machine = make_reference(opengl(), 8, 8);
+    machine->execute(before);
+    samples.forget();
+    const gw::Clear clear{.planes = mask_of(Plane::Color), .color = {1, 1, 1, 1}};
+    samples.prepare(clear, gw::State(), after);
+    after.add(clear);
+    samples.resolve(surface_planes, gw::State(), after);
+    machine->execute(after);
+    EXPECT_EQ(machine->planes().color[0], (Rgba{255, 255, 255, 255}));
+}
+
 /// At most 2^26 samples in all.
 TEST(WindowSamples, OfManyPixelsAreFewer) {
     EXPECT_EQ(fitting_samples(4096, 4096, 4), 4);
