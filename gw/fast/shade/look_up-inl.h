@@ -12,6 +12,7 @@
 #include "gw/fast/shade/cubes-inl.h"
 #include "gw/fast/shade/sized-inl.h"
 #include "gw/fast/shade/texture-inl.h"
+#include "gw/fast/shade/with_r-inl.h"
 #include "gw/stages/texgen.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,6 +52,8 @@ HWY_NOINLINE inline void look_up_unit(const TexturePlanes& p, const TexelValues&
         sample_plain_unit(p, values, draw, number, unit, bx, by, mask, out);
     else if (looks_up_cube(state, unit.texels->texels, p))
         look_up_cube(p, values, draw, number, unit, bx, by, mask, out);
+    else if (looks_up_with_r(state, unit.texels->texels, p))
+        look_up_with_r(p, values, draw, number, unit, mask, out);
     else if (looks_up_sized(state, unit, p))
         look_up_sized(p, values, draw, number, unit, bx, by, mask, out);
     else
