@@ -19,6 +19,7 @@ const begin = async (rest = '') => {
   await open(`#lang=en&exhibit=rays&size=64x48${rest}`);
   await thePage().waitForSelector('figure.rays canvas');
   await thePage().waitForSelector('section.path');
+  await shows('passes', [], false); // a canvas is there before its picture
 };
 const rgb = (values: ArrayLike<number>) => Array.from(values).filter((_, i) => i % 4 !== 3);
 const pixels = async (figure: string) =>
