@@ -61,7 +61,8 @@ struct CombineBlocks {
     HWY_INLINE I product(I x, I y) const {
         return hn::BitCast(I32(), mul_lanes(hn::BitCast(D32(), x), hn::BitCast(D32(), y), bits));
     }
-    /// Four times the dot product. Its numbers of 8 bits are exact in floats.
+    /// Four times the dot product; of a negative one no more than 0. Its numbers of 8 bits are exact in
+    /// floats.
     HWY_INLINE I dot(const CombineState& s, std::size_t i) const {
         const I32 d;
         const I half = hn::Set(d, 1 << (bits - 1));
@@ -71,9 +72,8 @@ struct CombineBlocks {
                                        hn::Sub(argument(s.source1, s.operand1, c, i), half)));
         const I scaled = hn::Add(hn::ShiftLeft<3>(sum), one());
         const F32 f;
-        const I quotient = hn::ConvertTo(
+        return hn::ConvertTo(
             d, hn::Div(hn::ConvertTo(f, scaled), hn::ConvertTo(f, hn::ShiftLeft<1>(one()))));
-        return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), quotient);
     }
     HWY_INLINE I function(const CombineState& s, std::size_t c, std::size_t i) const {
         if (s.func == CombineFunc::Dot3Rgb || s.func == CombineFunc::Dot3Rgba) return dot(s, i);
