@@ -65,15 +65,19 @@ double least_time(const Kind& kind, int repeats) {
     return least;
 }
 
-void run(const std::string& only, int repeats) {
+/// Returns whether there is a kind of this name, or none is asked for.
+bool run(const std::string& only, int repeats) {
+    bool found = only.empty();
     for (const auto& kinds : {pixel_kinds(), fragment_kinds()})
         for (const Kind& kind : kinds) {
             if (!only.empty() && kind.name != only) continue;
+            found = true;
             const double least = least_time(kind, repeats);
             fmt::print("{} {:.4f}\n", kind.name, least);
             if (const GLenum error = glGetError(); error != GL_NO_ERROR)
                 fmt::print(stderr, "bench_kinds: {}: GL error {:#x}\n", kind.name, error);
         }
+    return found;
 }
 
 }  // namespace
@@ -97,6 +101,9 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "bench_kinds: OSMesa gives no context\n");
         return 1;
     }
-    gw::bench::run(only, repeats);
+    const bool found = gw::bench::run(only, repeats);
     OSMesaDestroyContext(context);
+    if (found) return 0;
+    fmt::print(stderr, "bench_kinds: --only '{}'; expected a name that bench_kinds prints\n", only);
+    return 2;
 }

@@ -34,7 +34,7 @@ public:
     /// The state that a command finds.
     gw::State state_or_initial() const { return last_state_ ? **last_state_ : gw::State(); }
     void add(Command command, std::span<const CallRun> calls = {});
-    /// For commands that are part of no frame.
+    /// What is collected, for commands that change no state and begin no frame.
     CommandList& list() { return commands_.list; }
     /// A read of the plane's colours or values, with the key 0. Part of no frame.
     void add_read(Plane plane, const Rect& rect, bool packed);

@@ -216,10 +216,6 @@ int clamped_position(Wrap wrap, int u, int size) {
     return wrap == Wrap::BorderClamp ? std::clamp(u, 0, size * 256) : u;
 }
 
-int filter_index(Wrap wrap, int i, int size) {
-    return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
-}
-
 static bool is_outside(const TexelLevel& level, int i, int j) {
     return i < 0 || i >= level.width || j < 0 || j >= level.height;
 }

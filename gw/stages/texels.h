@@ -126,7 +126,9 @@ Rgba filter_texel(const Texels& texels, const TexelLevel& level, const Addressin
 /// BorderClamp keeps a position within the level; its filter reaches half a texel beyond.
 int clamped_position(Wrap wrap, int u, int size);
 /// A texel index of a linear filter: -1 and `size` are the border, under BorderClamp only.
-int filter_index(Wrap wrap, int i, int size);
+constexpr int filter_index(Wrap wrap, int i, int size) {
+    return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
+}
 
 /// The depth at texel (i, j) of a level, at(i, j) within it; outside of it that of the border, 0 .. 1.
 template <class At>

@@ -66,6 +66,34 @@ struct CornerLanes {
     }
 };
 
+/// The texels of a texture by folded indices. Those outside of a level are its border's.
+struct FoldedTexels {
+    const Texels& texels;
+    const Addressing how;
+    const std::uint32_t border = packed(how.border_color);
+
+    HWY_INLINE std::uint32_t at(const TexelLevel& level, int i, int j, int layer) const {
+        const bool is_inside = i >= 0 && j >= 0 && i < level.width && j < level.height;
+        if (is_inside) return texels.packed[level.index(i, j, layer)];
+        if (level.bordered.empty()) return border;
+        return packed(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
+    }
+    HWY_INLINE std::uint32_t nearest(const TexelLevel& level, int u, int v, int layer) const {
+        return at(level, wrap_index(how.wrap_s, u >> 8, level.width),
+                  wrap_index(how.wrap_t, v >> 8, level.height), layer);
+    }
+    /// The four around us, vs: positions less a half.
+    HWY_INLINE void put_corners(std::size_t lane, const TexelLevel& level, int us, int vs,
+                                int layer, CornerLanes& out) const {
+        const auto column = [&](int i) { return filter_index(how.wrap_s, i, level.width); };
+        const auto row = [&](int j) { return filter_index(how.wrap_t, j, level.height); };
+        const int x0 = column(us >> 8), x1 = column((us >> 8) + 1), y0 = row(vs >> 8),
+                  y1 = row((vs >> 8) + 1);
+        out.put(lane, at(level, x0, y0, layer), at(level, x1, y0, layer), at(level, x0, y1, layer),
+                at(level, x1, y1, layer), us & 255, vs & 255);
+    }
+};
+
 /// A block's texels, at one level or two.
 struct FetchedTexels {
     CornerLanes first, second;                       ///< `second` if lanes are mixed

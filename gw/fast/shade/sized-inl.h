@@ -35,7 +35,7 @@ public:
           texels_(texels),
           resolved_(resolved),
           how_(addressing(state, texels, resolved.border_color)),
-          border_(packed(how_.border_color)) {}
+          folded_{texels, how_} {}
 
     /// Precondition of the values: denominators at least 1 in the lanes of `mask`, unless they are
     /// projective. There the texel is white.
@@ -122,7 +122,7 @@ private:
                           CornerLanes& out) const {
         const int u = position(s_[lane], p_.s.k, level.width, how_.wrap_s),
                   v = position(t_[lane], p_.t.k, level.height, how_.wrap_t);
-        if (!linear) return out.put_one(lane, nearest(level, u, v));
+        if (!linear) return out.put_one(lane, folded_.nearest(level, u, v, 0));
         const int us = clamped_position(how_.wrap_s, u, level.width) - 128,
                   vs = clamped_position(how_.wrap_t, v, level.height) - 128;
         const int i = us >> 8, j = vs >> 8;
@@ -133,31 +133,9 @@ private:
                                                                                         level.width;
         out.put(lane, low[0], low[1], high[0], high[1], us & 255, vs & 255);
     }
-    HWY_INLINE std::uint32_t nearest(const TexelLevel& level, int u, int v) const {
-        return texel(level, wrap_index(how_.wrap_s, u >> 8, level.width),
-                     wrap_index(how_.wrap_t, v >> 8, level.height));
-    }
     HWY_NOINLINE void fetch_at_side(std::size_t lane, const TexelLevel& level, int us, int vs,
                                     CornerLanes& out) const {
-        const int i = us >> 8, j = vs >> 8;
-        const auto column = [&](int x) { return index(how_.wrap_s, x, level.width); };
-        const auto row = [&](int y) { return index(how_.wrap_t, y, level.height); };
-        const int x0 = column(i), x1 = column(i + 1), y0 = row(j), y1 = row(j + 1);
-        out.put(lane, texel(level, x0, y0), texel(level, x1, y0), texel(level, x0, y1),
-                texel(level, x1, y1), us & 255, vs & 255);
-    }
-    /// filter_index() of gw/stages/texels.h.
-    HWY_INLINE static int index(Wrap wrap, int i, int size) {
-        return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
-    }
-    /// Of indices that are folded, -1 .. size.
-    HWY_INLINE std::uint32_t texel(const TexelLevel& level, int i, int j) const {
-        if (is_inside(level, i, j)) return texels_.packed[level.index(i, j)];
-        if (level.bordered.empty()) return border_;
-        return packed(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
-    }
-    HWY_INLINE static bool is_inside(const TexelLevel& level, int i, int j) {
-        return i >= 0 && j >= 0 && i < level.width && j < level.height;
+        folded_.put_corners(lane, level, us, vs, 0, out);
     }
 
     const TexturePlanes& p_;
@@ -165,7 +143,7 @@ private:
     const Texels& texels_;
     const ResolvedTexture& resolved_;
     const Addressing how_;
-    const std::uint32_t border_;
+    const FoldedTexels folded_;
     alignas(64) float w_[block_pixels], s_[block_pixels], t_[block_pixels], rho_[block_pixels];
     FetchedTexels found_;
 };

@@ -38,7 +38,7 @@ public:
           state_(state),
           texels_(texels),
           how_(addressing(state, texels, resolved.border_color)),
-          border_(packed(how_.border_color)),
+          folded_{texels, how_},
           level_(texels.levels[std::size_t(level_range(state, int(texels.levels.size())).base)]) {
         divide(p);
     }
@@ -99,31 +99,14 @@ private:
         if ((period & (period - 1)) == 0) return static_cast<int>(n & (period - 1));
         return static_cast<int>((n % period + period) % period);
     }
-    /// filter_index() of gw/stages/texels.h.
-    HWY_INLINE static int index(Wrap wrap, int i, int size) {
-        return wrap == Wrap::BorderClamp ? i : wrap_index(wrap, i, size);
-    }
-    /// The texel of folded indices.
-    HWY_INLINE std::uint32_t texel(int i, int j, int layer) const {
-        const bool is_inside = i >= 0 && j >= 0 && i < level_.width && j < level_.height;
-        return is_inside ? texels_.packed[level_.index(i, j, layer)] : border_;
-    }
     /// The texels of one layer, or the border.
     HWY_INLINE void fetch(std::size_t lane, bool linear, int layer, CornerLanes& out) const {
-        if (layer < 0 || layer >= level_.layers) return out.put_one(lane, border_);
+        if (layer < 0 || layer >= level_.layers) return out.put_one(lane, folded_.border);
         const int u = position(at_[0][lane], level_.width, how_.wrap_s),
                   v = position(at_[1][lane], level_.height, how_.wrap_t);
-        if (!linear)
-            return out.put_one(lane, texel(wrap_index(how_.wrap_s, u >> 8, level_.width),
-                                           wrap_index(how_.wrap_t, v >> 8, level_.height), layer));
-        const int us = clamped_position(how_.wrap_s, u, level_.width) - 128,
-                  vs = clamped_position(how_.wrap_t, v, level_.height) - 128;
-        const auto column = [&](int i) { return index(how_.wrap_s, i, level_.width); };
-        const auto row = [&](int j) { return index(how_.wrap_t, j, level_.height); };
-        const int x0 = column(us >> 8), x1 = column((us >> 8) + 1), y0 = row(vs >> 8),
-                  y1 = row((vs >> 8) + 1);
-        out.put(lane, texel(x0, y0, layer), texel(x1, y0, layer), texel(x0, y1, layer),
-                texel(x1, y1, layer), us & 255, vs & 255);
+        if (!linear) return out.put_one(lane, folded_.nearest(level_, u, v, layer));
+        folded_.put_corners(lane, level_, clamped_position(how_.wrap_s, u, level_.width) - 128,
+                            clamped_position(how_.wrap_t, v, level_.height) - 128, layer, out);
     }
     HWY_INLINE void fetch_layers(std::size_t lane, bool linear) {
         const int w = position(at_[2][lane], level_.layers, how_.wrap_r);
@@ -131,12 +114,13 @@ private:
             return fetch(lane, linear, wrap_index(how_.wrap_r, w >> 8, level_.layers),
                          found_.first);
         const int from = clamped_position(how_.wrap_r, w, level_.layers) - 128;
-        fetch(lane, linear, index(how_.wrap_r, from >> 8, level_.layers), found_.first);
+        fetch(lane, linear, filter_index(how_.wrap_r, from >> 8, level_.layers), found_.first);
         if ((from & 255) == 0) return;
         if (found_.mixed == 0) found_.second.clear();
         found_.mixed |= 1u << lane;
         found_.weight[lane] = std::uint32_t(from & 255);
-        fetch(lane, linear, index(how_.wrap_r, (from >> 8) + 1, level_.layers), found_.second);
+        fetch(lane, linear, filter_index(how_.wrap_r, (from >> 8) + 1, level_.layers),
+              found_.second);
     }
     HWY_INLINE bool passes(std::size_t lane) const {
         const int bits = texels_.depth_bits;
@@ -154,7 +138,7 @@ private:
     const TextureState& state_;
     const Texels& texels_;
     const Addressing how_;
-    const std::uint32_t border_;
+    const FoldedTexels folded_;
     const TexelLevel& level_;
     alignas(64) double at_[3][block_pixels];
     FetchedTexels found_;
