@@ -83,9 +83,6 @@ TEST(ParallelDeathTest, UsesFewerThreadsWhereTheSystemRefusesThem) {
 
 /// Children of a process whose threads are in the middle of a loop.
 TEST(Parallel, EndsInChildrenToo) {
-#ifdef __SANITIZE_THREAD__
-    GTEST_SKIP() << "the thread sanitizer starts no threads in a child";
-#endif
     std::atomic<bool> ends = false;
     std::thread other([&] {
         while (!ends) parallel_for(64, 4, [](std::size_t, int) {});
