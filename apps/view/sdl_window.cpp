@@ -5,7 +5,9 @@
 
 #include <SDL2/SDL.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 #include <vector>
 
 namespace gw::apps {
@@ -130,14 +132,19 @@ public:
         SDL_UpdateTexture(texture_.get(), nullptr, words_.data(), 4 * width_);
         present();
     }
+    /// Asks again and again. SDL_WaitEventTimeout would send each event's window a message by a
+    /// second connection: if that comes after the window is gone, BadWindow ends the program.
     std::optional<Input> next_input(std::chrono::milliseconds wait) override {
-        SDL_Event event;
-        bool has_event = SDL_WaitEventTimeout(&event, int(wait.count())) != 0;
-        for (; has_event; has_event = SDL_PollEvent(&event) != 0) {
-            if (event.type == SDL_WINDOWEVENT) present();
-            if (auto input = input_of(event)) return input;
+        const auto end = std::chrono::steady_clock::now() + wait;
+        while (true) {
+            SDL_Event event;
+            while (SDL_PollEvent(&event) != 0) {
+                if (event.type == SDL_WINDOWEVENT) present();
+                if (auto input = input_of(event)) return input;
+            }
+            if (std::chrono::steady_clock::now() >= end) return {};
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
         }
-        return {};
     }
 
 private:
