@@ -84,7 +84,7 @@ int any_position(double quotient, int exponent, std::int64_t k, int size, Wrap w
     constexpr double largest = 4611686018427387904.0;  // 2^62
     const std::int64_t texels = 256 * std::int64_t{size};
     const auto n = static_cast<std::int64_t>(
-        bounded(std::floor(quotient * std::ldexp(double(texels), exponent)), largest));
+        bounded(std::floor(quotient * times_power_of_two(double(texels), exponent)), largest));
     const auto modulo = [](std::int64_t v, std::int64_t m) { return int((v % m + m) % m); };
     if (wrap == Wrap::Repeat) return modulo(n, texels);
     if (wrap == Wrap::MirroredRepeat) return modulo(n + k * texels, 2 * texels);

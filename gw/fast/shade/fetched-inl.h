@@ -78,19 +78,33 @@ struct FoldedTexels {
         if (level.bordered.empty()) return border;
         return packed(level.bordered[pixel_index(i + 1, j + 1, level.width + 2)]);
     }
-    HWY_INLINE std::uint32_t nearest(const TexelLevel& level, int u, int v, int layer) const {
-        return at(level, wrap_index(how.wrap_s, u >> 8, level.width),
-                  wrap_index(how.wrap_t, v >> 8, level.height), layer);
+    /// The texel at u, v, or the four around it.
+    HWY_INLINE void put(std::size_t lane, const TexelLevel& level, bool linear, int u, int v,
+                        int layer, CornerLanes& out) const {
+        if (!linear) return out.put_one(lane, nearest(level, u, v, layer));
+        const int us = clamped_position(how.wrap_s, u, level.width) - 128,
+                  vs = clamped_position(how.wrap_t, v, level.height) - 128;
+        const int i = us >> 8, j = vs >> 8;
+        if (i < 0 || j < 0 || i >= level.width - 1 || j >= level.height - 1)
+            return put_corners_at_side(lane, level, us, vs, layer, out);
+        const std::uint32_t* const low = texels.packed.data() + level.index(i, j, layer);
+        const std::uint32_t* const high = low + level.width;
+        out.put(lane, low[0], low[1], high[0], high[1], us & 255, vs & 255);
     }
-    /// The four around us, vs: positions less a half.
-    HWY_INLINE void put_corners(std::size_t lane, const TexelLevel& level, int us, int vs,
-                                int layer, CornerLanes& out) const {
+
+private:
+    HWY_NOINLINE void put_corners_at_side(std::size_t lane, const TexelLevel& level, int us, int vs,
+                                          int layer, CornerLanes& out) const {
         const auto column = [&](int i) { return filter_index(how.wrap_s, i, level.width); };
         const auto row = [&](int j) { return filter_index(how.wrap_t, j, level.height); };
         const int x0 = column(us >> 8), x1 = column((us >> 8) + 1), y0 = row(vs >> 8),
                   y1 = row((vs >> 8) + 1);
         out.put(lane, at(level, x0, y0, layer), at(level, x1, y0, layer), at(level, x0, y1, layer),
                 at(level, x1, y1, layer), us & 255, vs & 255);
+    }
+    HWY_INLINE std::uint32_t nearest(const TexelLevel& level, int u, int v, int layer) const {
+        return at(level, wrap_index(how.wrap_s, u >> 8, level.width),
+                  wrap_index(how.wrap_t, v >> 8, level.height), layer);
     }
 };
 

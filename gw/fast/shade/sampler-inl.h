@@ -34,6 +34,7 @@ struct Sampler {
 
     bool has_bytes() const { return !texels.texels.packed.empty(); }
     const TexelLevel& base() const { return texels.texels.levels[0]; }
+    LevelRange levels() const { return {0, int(texels.texels.levels.size()) - 1}; }
 
     /// u + k in 1/256 texels of the lanes' own levels, whose sides are 2^log2_size; the scaled u is
     /// at most 2^30.

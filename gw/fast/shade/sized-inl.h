@@ -9,11 +9,9 @@
 #endif
 
 #include "gw/fast/plan/draw_op.h"
-#include "gw/fast/shade/fetched-inl.h"
-#include "gw/stages/perspective.h"
+#include "gw/fast/shade/sized_sampler-inl.h"
 
-#include <algorithm>
-#include <cmath>
+#include <bit>
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
@@ -34,27 +32,50 @@ public:
           state_(state),
           texels_(texels),
           resolved_(resolved),
-          how_(addressing(state, texels, resolved.border_color)),
-          folded_{texels, how_} {}
+          folded_{texels, addressing(state, texels, resolved.border_color)} {}
 
-    /// Precondition of the values: denominators at least 1 in the lanes of `mask`, unless they are
-    /// projective. There the texel is white.
+    /// Where denominators are below 1, the texel is white.
     HWY_INLINE void look_up(const TexelValues& values, const Tile& tile, int bx, int by,
                             std::uint32_t mask, ColorBlock& out) {
-        const bool by_rho = needs_rho(state_);
         const std::uint32_t outside = divide(values) & mask;
-        if (by_rho) find_rho(tile, bx, by);
-        const auto fetch_one = [&](std::size_t lane, int level, bool linear, CornerLanes& corners) {
-            fetch(lane, texels_.levels[std::size_t(level)], linear, corners);
-        };
-        found_.fetch(state_, int(texels_.levels.size()), by_rho ? rho_ : nullptr, mask & ~outside,
-                     fetch_one);
+        if (needs_rho(state_)) find_rho(tile, bx, by);
+        if (std::popcount(mask) <= few_lanes)
+            look_up_few(mask & ~outside, out);
+        else
+            look_up_lanes(mask & ~outside, out);
         for (std::uint32_t rest = outside; rest != 0; rest &= rest - 1)
-            found_.put_white(std::size_t(std::countr_zero(rest)));
-        found_.filter(mask, out);
+            for (auto& channel : out.channel) channel[std::countr_zero(rest)] = 255;
     }
 
 private:
+    /// Up to which vectors do not pay.
+    static constexpr int few_lanes = 3;
+
+    HWY_NOINLINE void look_up_lanes(std::uint32_t mask, ColorBlock& out) const {
+        const I32 d;
+        const F32 f;
+        ColorBlock found;
+        for (std::size_t i = 0; i < block_pixels; i += lanes32) {
+            if (!has_part(mask, i / lanes32)) continue;
+            const Coordinates at{hn::Load(f, s_ + i), hn::Load(f, t_ + i), hn::Set(d, p_.s.k),
+                                 hn::Set(d, p_.t.k)};
+            const TexelLanes texel = sample<TexelWords>(sampler_, at, rho_ + i).channels();
+            for (std::size_t k = 0; k < 4; ++k) store16(texel.channel[k], found.channel[k] + i);
+        }
+        copy_lanes(found, mask, out);
+    }
+    HWY_NOINLINE void look_up_few(std::uint32_t mask, ColorBlock& out) const {
+        FetchedTexels found;
+        const auto fetch_one = [&](std::size_t lane, int index, bool linear, CornerLanes& corners) {
+            const TexelLevel& level = texels_.levels[std::size_t(index)];
+            const int u = sampler_.position(s_[lane], p_.s.k, level.width, folded_.how.wrap_s),
+                      v = sampler_.position(t_[lane], p_.t.k, level.height, folded_.how.wrap_t);
+            folded_.put(lane, level, linear, u, v, 0, corners);
+        };
+        found.fetch(state_, int(texels_.levels.size()), needs_rho(state_) ? rho_ : nullptr, mask,
+                    fetch_one);
+        found.filter(mask, out);
+    }
     /// Returns the lanes with denominators below 1.
     HWY_INLINE std::uint32_t divide(const TexelValues& values) {
         const F32 f;
@@ -90,62 +111,13 @@ private:
                 limited_rho(rho_lanes(hn::Load(f, spread + i), hn::Load(f, w_ + i)), resolved_), f,
                 rho_ + i);
     }
-    HWY_INLINE int mirrored(float scaled, std::int32_t k, int size) const {
-        constexpr double most = 1099511627776.0;  // 2^40
-        const std::int64_t texels = 256 * std::int64_t{size};
-        const double n = std::floor(double(scaled) * double(texels));
-        if (texels_.any_size || !(std::abs(n) < most))
-            return any_position(double(scaled), 0, k, size, Wrap::MirroredRepeat);
-        return static_cast<int>((static_cast<std::int64_t>(n) + k * texels) & (2 * texels - 1));
-    }
-    /// PixelSampler::position() of gw/fast/shade/texture_by_pixel.cpp of a quotient that is scaled by
-    /// 2^exponent, modulo the size under Repeat.
-    HWY_INLINE int position(float scaled, std::int32_t k, int size, Wrap wrap) const {
-        constexpr std::int64_t limit = std::int64_t{1} << 30;
-        const std::int64_t texels = 256 * std::int64_t{size};
-        if (wrap == Wrap::MirroredRepeat) return mirrored(scaled, k, size);
-        if (!texels_.any_size) {
-            const double u = double(scaled) * double(texels);
-            const auto n =
-                static_cast<std::int64_t>(std::floor(std::clamp(u, -double(limit), double(limit))));
-            return static_cast<int>(wrap == Wrap::Repeat ? n & (texels - 1) : n + k * texels);
-        }
-        const auto n = static_cast<std::int64_t>(std::floor(double(scaled) * double(texels)));
-        if (wrap != Wrap::Repeat)
-            return static_cast<int>(std::clamp(n + k * texels, -limit, limit));
-        if (n == static_cast<std::uint32_t>(n))  // a division of 32 bits is quicker
-            return static_cast<int>(static_cast<std::uint32_t>(n) %
-                                    static_cast<std::uint32_t>(texels));
-        return static_cast<int>((n % texels + texels) % texels);
-    }
-    HWY_INLINE void fetch(std::size_t lane, const TexelLevel& level, bool linear,
-                          CornerLanes& out) const {
-        const int u = position(s_[lane], p_.s.k, level.width, how_.wrap_s),
-                  v = position(t_[lane], p_.t.k, level.height, how_.wrap_t);
-        if (!linear) return out.put_one(lane, folded_.nearest(level, u, v, 0));
-        const int us = clamped_position(how_.wrap_s, u, level.width) - 128,
-                  vs = clamped_position(how_.wrap_t, v, level.height) - 128;
-        const int i = us >> 8, j = vs >> 8;
-        if (i < 0 || j < 0 || i >= level.width - 1 || j >= level.height - 1)
-            return fetch_at_side(lane, level, us, vs, out);
-        const std::uint32_t *const low = texels_.packed.data() + level.index(i, j), *const high =
-                                                                                        low +
-                                                                                        level.width;
-        out.put(lane, low[0], low[1], high[0], high[1], us & 255, vs & 255);
-    }
-    HWY_NOINLINE void fetch_at_side(std::size_t lane, const TexelLevel& level, int us, int vs,
-                                    CornerLanes& out) const {
-        folded_.put_corners(lane, level, us, vs, 0, out);
-    }
-
     const TexturePlanes& p_;
     const TextureState& state_;
     const Texels& texels_;
     const ResolvedTexture& resolved_;
-    const Addressing how_;
     const FoldedTexels folded_;
+    const SizedSampler sampler_{folded_, state_};
     alignas(64) float w_[block_pixels], s_[block_pixels], t_[block_pixels], rho_[block_pixels];
-    FetchedTexels found_;
 };
 
 /// Looks up the lanes of `mask`. Others of `out` stay.

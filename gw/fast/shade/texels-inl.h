@@ -63,11 +63,12 @@ struct TexelWords {
     }
 };
 
+HWY_INLINE TexelWords words_of(V32 packed) {
+    const auto bytes = hn::Set(D32(), 0x00FF00FFu);
+    return {hn::And(packed, bytes), hn::And(hn::ShiftRight<8>(packed), bytes)};
+}
 HWY_INLINE TexelWords fetch_bytes(const FastTexels& t, VI index) {
-    const D32 d;
-    const auto bytes = hn::Set(d, 0x00FF00FFu);
-    const auto v = hn::GatherIndex(d, t.texels.packed.data(), index);
-    return {hn::And(v, bytes), hn::And(hn::ShiftRight<8>(v), bytes)};
+    return words_of(hn::GatherIndex(D32(), t.texels.packed.data(), index));
 }
 
 #if HWY_TARGET == HWY_SCALAR

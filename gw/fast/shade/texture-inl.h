@@ -122,24 +122,24 @@ struct LevelLanes {
     V32 weight;
 };
 
-HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
+HWY_INLINE LevelLanes choose_levels(const TextureState& state, LevelRange levels, VF rho) {
     const I32 i;
     const auto bits = hn::BitCast(i, rho);
-    const bool later = s.state.mag_filter == MagFilter::Linear &&
-                       (s.state.min_filter == MinFilter::NearestMipmapNearest ||
-                        s.state.min_filter == MinFilter::NearestMipmapLinear);
-    LevelLanes out{hn::Not(hn::Gt(bits, hn::Set(i, later ? 0x3FB504F3 : 0x3F800000))), hn::Zero(i),
-                   hn::Zero(i), hn::Zero(D32())};
-    const auto last = hn::Set(i, int(s.texels.texels.levels.size()) - 1);
+    const bool later = state.mag_filter == MagFilter::Linear &&
+                       (state.min_filter == MinFilter::NearestMipmapNearest ||
+                        state.min_filter == MinFilter::NearestMipmapLinear);
+    const auto base = hn::Set(i, levels.base), last = hn::Set(i, levels.last);
+    LevelLanes out{hn::Not(hn::Gt(bits, hn::Set(i, later ? 0x3FB504F3 : 0x3F800000))), base, base,
+                   hn::Zero(D32())};
     const auto level_from = [&](int origin) {
-        return hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin)));
+        return hn::Add(base, hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, origin))));
     };
-    switch (s.state.min_filter) {
+    switch (state.min_filter) {
         case MinFilter::Nearest:
         case MinFilter::Linear: break;
         case MinFilter::NearestMipmapNearest:
         case MinFilter::LinearMipmapNearest:
-            out.level = hn::Min(hn::Max(level_from(0x3F3504F4), hn::Zero(i)), last);
+            out.level = hn::Min(hn::Max(level_from(0x3F3504F4), base), last);
             break;
         case MinFilter::NearestMipmapLinear:
         case MinFilter::LinearMipmapLinear: {
@@ -147,27 +147,27 @@ HWY_INLINE LevelLanes choose_levels(const Sampler& s, VF rho) {
             const auto inside = hn::Lt(level, last);
             const auto mantissa = hn::And(hn::ShiftRight<15>(bits), hn::Set(i, 255));
             const auto weight = hn::GatherIndex(D32(), mantissa_levels().data(), mantissa);
-            out.level = hn::Min(hn::Max(level, hn::Zero(i)), last);
+            out.level = hn::Min(hn::Max(level, base), last);
             out.weight = hn::IfThenElseZero(hn::RebindMask(D32(), inside), weight);
             break;
         }
     }
-    out.level = hn::IfThenZeroElse(out.magnify, out.level);
+    out.level = hn::IfThenElse(out.magnify, base, out.level);
     out.weight = hn::IfThenZeroElse(hn::RebindMask(D32(), out.magnify), out.weight);
     out.next = hn::Min(hn::Add(out.level, hn::Set(i, 1)), last);
     return out;
 }
 
 /// The lanes' texels, each at its level. Magnified and minified lanes have their own filters.
-template <class Found>
-HWY_INLINE Found sample_level(const Sampler& s, const Coordinates& at, VI index,
+template <class Found, class From>
+HWY_INLINE Found sample_level(const From& s, const Coordinates& at, VI index,
                               hn::Mask<I32> magnify) {
     const bool small = is_linear(s.state, false), large = is_linear(s.state, true);
-    const Sampler::Level level = s.level(index);
-    if (hn::AllTrue(I32(), magnify)) return s.lookup<Found>(at, level, large);
-    const Found out = s.lookup<Found>(at, level, small);
+    const typename From::Level level = s.level(index);
+    if (hn::AllTrue(I32(), magnify)) return s.template lookup<Found>(at, level, large);
+    const Found out = s.template lookup<Found>(at, level, small);
     if (small == large || hn::AllFalse(I32(), magnify)) return out;
-    return chosen(hn::RebindMask(D32(), magnify), s.lookup<Found>(at, level, large), out);
+    return chosen(hn::RebindMask(D32(), magnify), s.template lookup<Found>(at, level, large), out);
 }
 
 HWY_INLINE VF rho_lanes(VF slope, VF w) {
@@ -248,12 +248,14 @@ struct LaneCoordinates {
     const float *u, *v, *rho;
     const std::int32_t *u_k, *v_k;
 };
-template <class Found>
-HWY_INLINE Found sample(const Sampler& s, const Coordinates& at, const float* rho) {
+/// From a Sampler, or what stands for one.
+template <class Found, class From>
+HWY_INLINE Found sample(const From& s, const Coordinates& at, const float* rho) {
     if (!needs_rho(s.state))
-        return s.lookup<Found>(at, s.base_level(), s.state.mag_filter == MagFilter::Linear);
+        return s.template lookup<Found>(at, s.base_level(),
+                                        s.state.mag_filter == MagFilter::Linear);
     const I32 d;
-    const LevelLanes l = choose_levels(s, hn::Load(F32(), rho));
+    const LevelLanes l = choose_levels(s.state, s.levels(), hn::Load(F32(), rho));
     const Found found = sample_level<Found>(s, at, l.level, l.magnify);
     const auto mixed = hn::Gt(hn::BitCast(d, l.weight), hn::Zero(d));
     if (hn::AllFalse(d, mixed)) return found;

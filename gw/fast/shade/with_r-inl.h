@@ -104,9 +104,7 @@ private:
         if (layer < 0 || layer >= level_.layers) return out.put_one(lane, folded_.border);
         const int u = position(at_[0][lane], level_.width, how_.wrap_s),
                   v = position(at_[1][lane], level_.height, how_.wrap_t);
-        if (!linear) return out.put_one(lane, folded_.nearest(level_, u, v, layer));
-        folded_.put_corners(lane, level_, clamped_position(how_.wrap_s, u, level_.width) - 128,
-                            clamped_position(how_.wrap_t, v, level_.height) - 128, layer, out);
+        folded_.put(lane, level_, linear, u, v, layer, out);
     }
     HWY_INLINE void fetch_layers(std::size_t lane, bool linear) {
         const int w = position(at_[2][lane], level_.layers, how_.wrap_r);
