@@ -219,6 +219,13 @@ std::vector<Kind> plain_kinds() {
                    glEnable(GL_FOG);
                    glFogi(GL_FOG_MODE, GL_EXP2);
                }),
+        square("fog-coordinate",
+               [] {
+                   glEnable(GL_FOG);
+                   glFogi(GL_FOG_MODE, GL_EXP2);
+                   glFogi(GL_FOG_COORD_SRC, GL_FOG_COORD);
+                   glFogCoordf(0.7f);
+               }),
         square("alpha-test",
                [] {
                    glEnable(GL_ALPHA_TEST);
@@ -254,6 +261,15 @@ std::vector<Kind> plain_kinds() {
                }),
         mesh("lit", [] { light(1); }),
         mesh("lit-by-eight", [] { light(8); }),
+        mesh("separate-specular",
+             [] {
+                 const float white[4] = {1, 1, 1, 1};
+                 use(textures().plain);
+                 light(1);
+                 glMaterialfv(GL_FRONT, GL_SPECULAR, white);
+                 glMaterialf(GL_FRONT, GL_SHININESS, 20);
+                 glLightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, GL_SEPARATE_SPECULAR_COLOR);
+             }),
         outline("lines", GL_LINE, [] {}),
         outline("wide-lines", GL_LINE, [] { glLineWidth(3); }),
         outline("smooth-lines", GL_LINE,

@@ -41,11 +41,13 @@ HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
     ColorPlanes color;
     make_color_planes(draw, primitive, at, color);
     wide_colors(color, *draw.op, bx, by, mask, in);
-    if (has_rare_values(*draw.op)) {
-        RarePlanes rare;
-        make_rare_planes(draw, primitive, at, rare);
-        find_rare_values(rare, draw, bx, by, mask, in.secondary, in.fog);
+    if (draw.op->sums_colors) {
+        ColorPlanes secondary;
+        make_secondary_planes(draw, primitive, at, secondary);
+        interpolated_color(secondary, draw.op->state.bits, bx, by, mask, in.secondary);
     }
+    if (draw.op->direct_fog)
+        find_given_fog(given_fog(draw, primitive, at), draw, bx, by, mask, in.fog);
     if (draw.op->texels) {
         TexturePlanes texture;
         make_texture_planes(draw, primitive, at, texture);

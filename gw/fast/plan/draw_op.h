@@ -73,7 +73,7 @@ inline UniformPlanes touched_planes(const DrawOp& op) {
 inline bool has_rare_lookup(const TextureState& s, const Texels& texels) {
     return s.shadow_compare || texels.any_size || texels.with_r || !is_plain_lookup(s);
 }
-/// Whether fragments have values that are found lane by lane (RarePlanes).
+/// Whether fragments have a secondary colour or a given fog coordinate.
 inline bool has_rare_values(const DrawOp& op) { return op.sums_colors || op.direct_fog; }
 inline bool textures_by_pixel(const DrawOp& op) { return op.by_pixel; }
 

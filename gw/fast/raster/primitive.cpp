@@ -134,33 +134,25 @@ struct Maker {
         out.fog_scale = float(std::ldexp(1.0, n.exponent + fog_table_log2(op().state.bits) + 8));
     }
 
-    void rare(RarePlanes& out) const {
-        out.q = denominator();
-        if (op().sums_colors) secondary(out);
-        if (!op().direct_fog) return;
+    GivenFog given_fog() const {
         const auto f = gather<double>([&](std::uint32_t v) { return op().fog->value[v]; });
         const Numerators n = fog_numerators(used(f), used(w()));
-        out.fog = numerator(n.at);
-        out.fog_offset = n.offset;
-        out.fog_exponent = n.exponent;
+        return {numerator(n.at), denominator(), n.offset, n.exponent};
     }
-    void secondary(RarePlanes& out) const {
+    void secondary(ColorPlanes& out) const {
         const std::vector<Rgba>& from = op().colors->secondary_of(primitive);
         const bool flat = state().shade_model == ShadeModel::Flat;
         out.perspective = draw.profile->perspective_color && !flat;
-        ColorPlanes planes;
+        if (out.perspective) out.q = denominator();
         for (std::size_t c = 0; c < 3; ++c) {
             const Values a = gather<std::int64_t>([&](std::uint32_t v) {
                 return std::int64_t{from[flat ? primitive.provoking : v][c]};
             });
             if (out.perspective)
-                perspective(planes, c, a);
+                perspective(out, c, a);
             else
-                planes.color[c] = frame.plane(a);
-            out.secondary[c] = planes.color[c];
+                out.color[c] = frame.plane(a);
         }
-        out.low = planes.low;
-        out.high = planes.high;
     }
 
     static TexturePlane texture_plane(const TilePlane& plane, const Numerators& n, Wrap wrap) {
@@ -346,9 +338,13 @@ const TexturePlanes& OuterTextures::at(const PrimitiveFrame& frame) {
     return planes_;
 }
 
-void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
-                      const PrimitiveFrame& frame, RarePlanes& out) {
-    Maker{draw, primitive, frame}.rare(out);
+void make_secondary_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                           const PrimitiveFrame& frame, ColorPlanes& out) {
+    Maker{draw, primitive, frame}.secondary(out);
+}
+GivenFog given_fog(const TileDraw& draw, const SetupPrimitive& primitive,
+                   const PrimitiveFrame& frame) {
+    return Maker{draw, primitive, frame}.given_fog();
 }
 
 namespace {

@@ -71,15 +71,11 @@ struct NarrowBatch {
     std::uint32_t black = 0;
 };
 
-/// Planes whose values are found lane by lane: the secondary colour, a given fog coordinate.
-struct RarePlanes {
-    bool perspective = false;
-    TilePlane secondary[3];  ///< R, G, B; numerators if `perspective`
-    Rgba low{}, high{};      ///< of the corners, by channel
-    TilePlane q;
-    TilePlane fog;  ///< numerator of the coordinate
-    double fog_offset = 0;
-    int fog_exponent = 0;
+/// A given fog coordinate, whose factor is found lane by lane.
+struct GivenFog {
+    TilePlane numerator, q;
+    double offset = 0;
+    int exponent = 0;
 };
 
 /// A block's texture coordinates after the division, each lane of its own primitive.
@@ -147,8 +143,8 @@ struct FilledBlocks {
 /// A batch's planes while it is drawn; each worker thread has one scratch.
 struct BatchScratch {
     FilledBlocks filled;
-    ColorPlanes color[batch_capacity];
-    RarePlanes rare[batch_capacity];
+    ColorPlanes color[batch_capacity], secondary[batch_capacity];
+    GivenFog fog[batch_capacity];
     TexturePlanes texture[batch_capacity];
     TexelQueue queue;
 };
@@ -157,9 +153,12 @@ DepthPlane depth_plane(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame);
 void make_color_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                        const PrimitiveFrame& frame, ColorPlanes& out);
-/// Of a draw that has_rare_values().
-void make_rare_planes(const TileDraw& draw, const SetupPrimitive& primitive,
-                      const PrimitiveFrame& frame, RarePlanes& out);
+/// Of a draw that sums colours: R, G, B.
+void make_secondary_planes(const TileDraw& draw, const SetupPrimitive& primitive,
+                           const PrimitiveFrame& frame, ColorPlanes& out);
+/// Of a draw with direct_fog.
+GivenFog given_fog(const TileDraw& draw, const SetupPrimitive& primitive,
+                   const PrimitiveFrame& frame);
 /// A primitive's colours at pixels with outer centres, before texture. The frame is any that is not
 /// limited.
 struct OuterColors {
@@ -199,9 +198,9 @@ Rgba id_color(const TileDraw& draw, const SetupPrimitive& primitive);
 void make_texture_planes(const TileDraw& draw, const SetupPrimitive& primitive,
                          const PrimitiveFrame& frame, TexturePlanes& out);
 
-/// The lanes of `mask` in block (bx, by), one by one: secondary colours and fog factors.
-void find_rare_values(const RarePlanes& planes, const TileDraw& draw, int bx, int by,
-                      std::uint32_t mask, ColorBlock& secondary, std::uint32_t* fog_factor);
+/// The fog factors of the lanes of `mask` in block (bx, by), one by one.
+void find_given_fog(const GivenFog& fog, const TileDraw& draw, int bx, int by, std::uint32_t mask,
+                    std::uint32_t* factor);
 
 /// The texels of a block, by unit.
 using TexelBlocks = std::array<ColorBlock, max_texture_units>;

@@ -46,12 +46,13 @@ struct BatchPlanes {
         else
             set_up_colors(draw, corners, shared, scratch.color);
         if (draw.op->texels) set_up_textures(draw, corners, shared, scratch.texture);
-        if (has_rare_values(*draw.op)) make_rare();
+        if (draw.op->sums_colors) set_up_secondary(draw, corners, shared, scratch.secondary);
+        if (draw.op->direct_fog) make_given_fog();
     }
-    HWY_NOINLINE void make_rare() {
+    HWY_NOINLINE void make_given_fog() {
         for (std::size_t i = 0; i < corners.count; ++i)
-            make_rare_planes(draw, *corners.primitive[i], frame_of(draw, corners.ordinal[i]),
-                             scratch.rare[i]);
+            scratch.fog[i] =
+                given_fog(draw, *corners.primitive[i], frame_of(draw, corners.ordinal[i]));
     }
     HWY_INLINE void evaluate(std::size_t i, int bx, int by, std::uint32_t mask) {
         if (!narrow && !scratch.color[i].perspective)
@@ -84,8 +85,10 @@ struct BatchPlanes {
     /// The same if `in` has the texels.
     HWY_INLINE const ColorBlock& textured_color(std::size_t i, int bx, int by, std::uint32_t mask) {
         if (!flat || flat_in != i) evaluate(i, bx, by, mask);
-        if (has_rare_values(*draw.op))
-            find_rare_values(scratch.rare[i], draw, bx, by, mask, in.secondary, in.fog);
+        if (draw.op->sums_colors)
+            interpolated_color(scratch.secondary[i], draw.op->state.bits, bx, by, mask,
+                               in.secondary);
+        if (draw.op->direct_fog) find_given_fog(scratch.fog[i], draw, bx, by, mask, in.fog);
         return shaded(draw, in.texels[0], in);
     }
     /// Whether texels can be looked up for several blocks at once.

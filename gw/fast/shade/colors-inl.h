@@ -58,10 +58,11 @@ HWY_NOINLINE inline void narrow_one(const TileDraw& draw, const Corners& t, std:
 struct ColorWords {
     alignas(64) std::uint64_t at[3][batch_capacity];
 };
-HWY_INLINE void gather_colors(const TileDraw& draw, const Corners& t, ColorWords& out) {
-    const VertexColors& colors = *draw.op->colors;
+/// `colors` gives the colours that a primitive's vertices index.
+template <class Colors>
+HWY_INLINE void gather_colors(const Corners& t, ColorWords& out, const Colors& colors) {
     for (std::size_t i = 0; i < t.filled; ++i) {
-        const Rgba* const from = colors.of(*t.primitive[i]).data();
+        const Rgba* const from = colors(*t.primitive[i]).data();
         for (std::size_t k = 0; k < 3; ++k)
             std::memcpy(&out.at[k][i], from + t.primitive[i]->vertex[k], sizeof(Rgba));
     }
@@ -150,7 +151,9 @@ HWY_INLINE void put_channel(const Corners& t, const PlaneBatch& plane, std::size
 HWY_INLINE std::uint32_t smooth_colors(const TileDraw& draw, const Corners& t, NarrowBatch& out) {
     ColorWords colors;
     PlaneBatch plane;
-    gather_colors(draw, t, colors);
+    gather_colors(t, colors, [&](const SetupPrimitive& p) -> const std::vector<Rgba>& {
+        return draw.op->colors->of(p);
+    });
     out.black = black_lanes(t, colors);
     std::uint32_t sure = ~0u;
     const std::uint64_t differing = differing_bits(t, colors);

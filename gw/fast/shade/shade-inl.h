@@ -270,15 +270,18 @@ HWY_NOINLINE inline void wide_colors(const ColorPlanes& p, const DrawOp& op, int
     if (has_fog(op.state.state)) wide_fog(p, op, bx, by, mask, in);
 }
 
-/// Lane by lane.
+/// docs/manual/lighting.md, "Colour sum".
 HWY_NOINLINE inline void add_secondary(const DrawOp& op, const ColorBlock& secondary,
                                        const ColorBlock& color, ColorBlock& out) {
-    const std::uint32_t max = max_of_bits(op.state.bits);
-    for (std::size_t i = 0; i < block_pixels; ++i) {
+    const D16 d;
+    const auto max = hn::Set(d, static_cast<std::uint16_t>(max_of_bits(op.state.bits)));
+    for (std::size_t i = 0; i < block_pixels; i += lanes16) {
         for (std::size_t c = 0; c < 3; ++c)
-            out.channel[c][i] = static_cast<std::uint16_t>(std::min<std::uint32_t>(
-                max, std::uint32_t{color.channel[c][i]} + secondary.channel[c][i]));
-        out.channel[3][i] = color.channel[3][i];
+            hn::Store(hn::Min(hn::SaturatedAdd(hn::Load(d, color.channel[c] + i),
+                                               hn::Load(d, secondary.channel[c] + i)),
+                              max),
+                      d, out.channel[c] + i);
+        hn::Store(hn::Load(d, color.channel[3] + i), d, out.channel[3] + i);
     }
 }
 

@@ -79,10 +79,9 @@ HWY_INLINE void set_limits(const Corners& t, const ColorWords& colors, ColorPlan
 /// Colours in perspective; channels with one value on each triangle need no numerators. Returns the
 /// lanes that are sure.
 HWY_INLINE std::uint32_t perspective_channels(const TileDraw& draw, const Corners& t,
-                                              const RatioBatch& ratio, ColorPlanes* out) {
-    ColorWords colors;
+                                              const ColorWords& colors, const RatioBatch& ratio,
+                                              ColorPlanes* out) {
     PlaneBatch plane;
-    gather_colors(draw, t, colors);
     set_limits(t, colors, out);
     std::uint32_t sure = ~0u;
     const std::uint64_t differing = differing_bits(t, colors);
@@ -132,21 +131,31 @@ HWY_INLINE std::uint32_t wide_fog_factors(const TileDraw& draw, const Corners& t
 HWY_INLINE bool is_wide(const DrawOp& op) {
     return op.perspective_color || (is_flat(op) && op.fog_table);
 }
-HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corners& t,
-                                              Denominators& shared, ColorPlanes* out) {
-    const DrawOp& op = *draw.op;
-    const RatioBatch& ratio = shared.ratio;
+/// Their planes; the lanes that are sure.
+HWY_INLINE std::uint32_t put_denominators(const TileDraw& draw, const Corners& t,
+                                          Denominators& shared, bool perspective,
+                                          ColorPlanes* out) {
     shared.make(draw, t);
-    std::uint32_t sure = shared.sure();
     for (std::size_t i = 0; i < t.count; ++i) {
-        out[i].perspective = op.perspective_color;
+        out[i].perspective = perspective;
         put_plane(shared.q, i, out[i].q);
         out[i].q_limits = shared.q.limits(i);
         out[i].has_limits = true;
     }
-    if (op.perspective_color)
-        sure &= perspective_channels(draw, t, ratio, out);
-    else
+    return shared.sure();
+}
+HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corners& t,
+                                              Denominators& shared, ColorPlanes* out) {
+    const DrawOp& op = *draw.op;
+    const RatioBatch& ratio = shared.ratio;
+    std::uint32_t sure = put_denominators(draw, t, shared, op.perspective_color, out);
+    if (op.perspective_color) {
+        ColorWords colors;
+        gather_colors(t, colors, [&](const SetupPrimitive& p) -> const std::vector<Rgba>& {
+            return op.colors->of(p);
+        });
+        sure &= perspective_channels(draw, t, colors, ratio, out);
+    } else
         for (std::size_t i = 0; i < t.count; ++i) {
             const Rgba color = one_color(draw, *t.primitive[i]);
             for (std::size_t c = 0; c < 4; ++c)
@@ -155,6 +164,16 @@ HWY_NOINLINE inline std::uint32_t set_up_wide(const TileDraw& draw, const Corner
     if (!has_fog(op.state.state)) return sure;
     return sure &
            (op.fog_table ? fog_coordinates(draw, t, ratio, out) : wide_fog_factors(draw, t, out));
+}
+
+HWY_NOINLINE inline std::uint32_t set_up_wide_secondary(const TileDraw& draw, const Corners& t,
+                                                        Denominators& shared, ColorPlanes* out) {
+    ColorWords colors;
+    gather_colors(t, colors, [&](const SetupPrimitive& p) -> const std::vector<Rgba>& {
+        return draw.op->colors->secondary_of(p);
+    });
+    const std::uint32_t sure = put_denominators(draw, t, shared, true, out);
+    return sure & perspective_channels(draw, t, colors, shared.ratio, out);
 }
 
 #endif  // HWY_HAVE_FLOAT64
@@ -168,6 +187,20 @@ inline void set_up_colors(const TileDraw& draw, const Corners& t,
 #endif
     for (std::size_t i = 0; i < t.count; ++i)
         if (!(sure >> i & 1)) color_one(draw, t, i, out[i]);
+}
+
+/// The same of secondary colours.
+inline void set_up_secondary(const TileDraw& draw, const Corners& t,
+                             [[maybe_unused]] Denominators& shared, ColorPlanes* out) {
+    std::uint32_t sure = 0;
+#if HWY_HAVE_FLOAT64
+    const bool smooth = draw.op->state.state.shade_model != ShadeModel::Flat;
+    if (smooth && draw.profile->perspective_color)
+        sure = set_up_wide_secondary(draw, t, shared, out);
+#endif
+    for (std::size_t i = 0; i < t.count; ++i)
+        if (!(sure >> i & 1))
+            make_secondary_planes(draw, *t.primitive[i], frame_of(draw, t.ordinal[i]), out[i]);
 }
 
 /// A triangle's colours in perspective at any block. Set up once for each triangle.
