@@ -5,9 +5,12 @@
 #include "gl/draw/targets.h"
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
+#include "gl/pixels/packed.h"
+#include "gl/pixels/plain_pixels.h"
 #include "gl/pixels/transfer.h"
 #include "gl/query/get.h"
 #include "gl/state/texture_targets.h"
+#include "gw/base/arithmetic.h"
 
 #include <algorithm>
 #include <optional>
@@ -147,27 +150,60 @@ void get_tex_level(Context& context, GLenum target, GLint level, GLenum pname, T
 }
 
 /// [GL11] 6.1.4: the channels that the format has, the others 0, and alpha 1.
-vec4 texel_color(const TextureImage& image, std::size_t i) {
-    const auto channel = [&](std::size_t k) { return float(image.texels[4 * i + k]) / 65535; };
-    switch (base_format(image.internal_format)) {
-        case GL_ALPHA: return {0, 0, 0, channel(3)};
-        case GL_INTENSITY:
-        case GL_LUMINANCE: return {channel(0), 0, 0, 1};
-        case GL_LUMINANCE_ALPHA: return {channel(0), 0, 0, channel(3)};
-        case GL_RGB: return {channel(0), channel(1), channel(2), 1};
+class FormatChannels {
+public:
+    explicit FormatChannels(GLint internal_format) {
+        const GLenum base = base_format(internal_format);
+        const bool is_luminance =
+            base == GL_INTENSITY || base == GL_LUMINANCE || base == GL_LUMINANCE_ALPHA;
+        if (base == GL_ALPHA) keep_[0] = 0;
+        if (base == GL_ALPHA || is_luminance) keep_[1] = keep_[2] = 0;
+        if (base == GL_RGB || base == GL_INTENSITY || base == GL_LUMINANCE) {
+            keep_[3] = 0;
+            added_alpha_ = 0xFFFF;
+        }
     }
-    return {channel(0), channel(1), channel(2), channel(3)};
+    Rgba of(const TextureImage& image, std::size_t i) const {
+        const std::uint16_t* const texel = &image.texels[4 * i];
+        const auto kept = [&](std::size_t k) { return std::uint16_t(texel[k] & keep_[k]); };
+        return {kept(0), kept(1), kept(2), std::uint16_t(kept(3) | added_alpha_)};
+    }
+
+private:
+    Rgba keep_{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+    std::uint16_t added_alpha_ = 0;
+};
+
+/// Texels as bytes of a format. Empty: the format has luminance.
+std::vector<std::byte> texel_bytes(const TextureImage& image, GLenum format) {
+    const FormatChannels channels(image.internal_format);
+    std::vector<std::uint32_t> words(image.texels.size() / 4);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const Rgba texel = channels.of(image, i);
+        for (std::size_t k = 0; k < 4; ++k) words[i] |= rescale(texel[k], 16, 8) << 8 * k;
+    }
+    std::vector<std::byte> out(words.size() * std::size_t(component_count(format)));
+    if (!pack_words(words, format, out.data())) out.clear();
+    return out;
 }
 
 /// [GL11] 6.1.4: no pixel transfer. Luminance is R, not the sum that ReadPixels makes.
 std::vector<std::byte> packed_texels(const TextureImage& image, GLenum format, GLenum type) {
     const bool is_luminance = format == GL_LUMINANCE || format == GL_LUMINANCE_ALPHA;
+    if (const auto plain = as_bytes(format, type);
+        plain.type == GL_UNSIGNED_BYTE && !is_luminance) {
+        std::vector<std::byte> bytes = texel_bytes(image, plain.format);
+        if (!bytes.empty()) return bytes;
+    }
+    const FormatChannels channels(image.internal_format);
     std::vector<vec4> colors;
     const std::size_t count = image.texels.size() / 4;
     colors.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const vec4 texel = texel_color(image, i);
-        colors.push_back(is_luminance ? vec4{texel.x, 0, 0, texel.w} : texel);
+        const Rgba texel = channels.of(image, i);
+        const auto channel = [&](std::size_t k) { return float(texel[k]) / 65535; };
+        colors.push_back(is_luminance ? vec4{channel(0), 0, 0, channel(3)}
+                                      : vec4{channel(0), channel(1), channel(2), channel(3)});
     }
     return packed_colors(colors, format, type);
 }
