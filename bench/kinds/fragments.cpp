@@ -1,5 +1,6 @@
 #include "bench/kinds/kinds.h"
 
+#include <cstdint>
 #include <utility>
 
 namespace gw::bench {
@@ -145,6 +146,32 @@ Kind outline(std::string name, GLenum mode, std::function<void()> begin) {
     });
 }
 
+/// 100,000 points that are scattered over the window.
+Kind point_cloud() {
+    static std::vector<float> at, color;
+    const auto begin = [] {
+        glEnable(GL_DEPTH_TEST);
+        std::uint32_t seed = 1;
+        const auto random = [&] { return float(seed = seed * 1664525 + 1013904223) / 0x1p32f; };
+        at.clear();
+        color.clear();
+        for (int i = 0; i < 300000; ++i) {
+            at.push_back(2 * random() - 1);
+            color.push_back(random());
+        }
+    };
+    return {"point-cloud", begin, [] {
+                for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY})
+                    glEnableClientState(array);
+                glVertexPointer(3, GL_FLOAT, 0, at.data());
+                glColorPointer(3, GL_FLOAT, 0, color.data());
+                glClear(GL_DEPTH_BUFFER_BIT);
+                glDrawArrays(GL_POINTS, 0, GLsizei(at.size() / 3));
+                for (const GLenum array : {GL_VERTEX_ARRAY, GL_COLOR_ARRAY})
+                    glDisableClientState(array);
+            }};
+}
+
 std::vector<Kind> texture_kinds() {
     return {
         square("linear", [] { use(textures().plain); }),
@@ -277,6 +304,7 @@ std::vector<Kind> plain_kinds() {
                     glEnable(GL_LINE_SMOOTH);
                     blend(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
                 }),
+        point_cloud(),
         outline("points", GL_POINT, [] { glPointSize(5); }),
         outline("smooth-points", GL_POINT,
                 [] {

@@ -320,7 +320,10 @@ HWY_NOINLINE inline void draw_sampled(const TileDraw& draw, std::span<const std:
         [&](std::span<const std::uint32_t> batch) {
             draw_sampled_batch(draw, batch, rules, counts);
         },
-        [&](std::uint32_t ordinal) { draw_sampled_line_or_point(draw, ordinal, rules, counts); });
+        [&](std::span<const std::uint32_t> batch) {
+            for (const std::uint32_t ordinal : batch)
+                draw_sampled_line_or_point(draw, ordinal, rules, counts);
+        });
     *draw.counts += counts;
 }
 

@@ -319,10 +319,10 @@ HWY_INLINE void by_size(const Triangles& t, std::size_t i, const Draw& draw) {
 }
 
 /// Prefetches the primitives of the batch after the next, and the vertices of the next batch. Those
-/// of one mesh are close together anyhow.
+/// of one mesh of triangles are close together anyhow; points may lie anywhere.
 HWY_INLINE void prefetch_batches(const DrawOp& op, std::span<const std::uint32_t> bin) {
     const GeometrySet& set = *op.set;
-    if (set.parts.size() == 1) return;
+    if (set.parts.size() == 1 && set.triangle_count != 0) return;
     const auto end_of = [&](std::size_t batches) {
         return std::min(bin.size(), batches * batch_capacity);
     };
@@ -334,23 +334,25 @@ HWY_INLINE void prefetch_batches(const DrawOp& op, std::span<const std::uint32_t
     }
 }
 
-/// Visits a bin in order: triangles in batches, lines and points one by one.
-template <class Batch, class Single>
+/// Visits a bin in order, in batches of triangles and of lines and points.
+template <class Batch, class Others>
 HWY_INLINE void walk_bin(const TileDraw& draw, std::span<const std::uint32_t> bin,
-                         const Batch& triangles, const Single& other) {
+                         const Batch& triangles, const Others& others) {
     const GeometrySet& set = *draw.op->set;
     const auto is_triangle = [&](std::uint32_t i) {
         return i < set.triangle_count || set.primitives[i].kind == MeshKind::Triangles;
     };
     while (!bin.empty()) {
         prefetch_batches(*draw.op, bin);
-        std::size_t n = 0;
-        while (n < std::min(bin.size(), batch_capacity) && is_triangle(bin[n])) ++n;
-        if (n == 0)
-            other(bin[0]);
-        else
+        const bool are_triangles = is_triangle(bin[0]);
+        std::size_t n = 1;
+        while (n < std::min(bin.size(), batch_capacity) && is_triangle(bin[n]) == are_triangles)
+            ++n;
+        if (are_triangles)
             triangles(bin.first(n));
-        bin = bin.subspan(std::max<std::size_t>(n, 1));
+        else
+            others(bin.first(n));
+        bin = bin.subspan(n);
     }
 }
 

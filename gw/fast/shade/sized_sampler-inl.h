@@ -90,7 +90,7 @@ private:
                 hn::Set(d, index)};
     }
 
-    /// position() of the lanes.
+    /// position() of the lanes; under a repetition 0 may be the period.
     HWY_INLINE VI positions(VF u, VI k, VI size, Wrap wrap) const {
         if (texels.any_size || wrap == Wrap::MirroredRepeat) return any_positions(u, k, size, wrap);
         const I32 d;
@@ -137,11 +137,11 @@ private:
         }
         return true;
     }
-    /// Of whole numbers below 2^50. The quotient may be too small by one: of a multiple of the period.
+    /// Of whole numbers below 2^50. 0 may be the period: the quotient of a multiple of it may be too
+    /// small by one.
     HWY_INLINE static V64 modulo_of(V64 n, V64 period) {
         const auto quotient = hn::Floor(hn::Mul(n, hn::Div(hn::Set(D64(), 1.0), period)));
-        const auto rest = hn::Sub(n, hn::Mul(quotient, period));
-        return hn::IfThenElse(hn::Lt(rest, period), rest, hn::Sub(rest, period));
+        return hn::Sub(n, hn::Mul(quotient, period));
     }
 #else
     HWY_INLINE static bool positions_by_doubles(const float*, const std::int32_t*,

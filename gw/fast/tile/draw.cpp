@@ -45,12 +45,10 @@ void draw_triangles(const TileDraw& draw, std::span<const std::uint32_t> bin, Op
     }
 }
 
-void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& counts) {
-    Corners corners;
-    gather_corners(draw, {&ordinal, 1}, corners);
-    BatchPlanes planes(draw, corners);
-    const PrimitiveFrame frame = frame_of(draw, ordinal);
-    const SetupPrimitive& primitive = *corners.primitive[0];
+HWY_INLINE void draw_line_or_point(BatchPlanes& planes, std::size_t i, OpCounts& counts) {
+    const TileDraw& draw = planes.draw;
+    const PrimitiveFrame frame = frame_of(draw, planes.corners.ordinal[i]);
+    const SetupPrimitive& primitive = *planes.corners.primitive[i];
     const DepthPlane plane = depth_plane(draw, primitive, frame);
     const std::uint32_t most = max_of_bits(draw.profile->depth_bits);
     DepthBlock depth;
@@ -58,7 +56,7 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
         draw, frame,
         [&](int bx, int by, const LaneSet& lanes) {
             shade_depth(plane, most, bx, by, depth);
-            paint_block(planes, 0, depth, bx, by, lanes, counts);
+            paint_block(planes, i, depth, bx, by, lanes, counts);
         },
         [&](const PrimitiveFrame& at, int bx, int by, int lane) {
             shade_depth(depth_plane(draw, primitive, at), most, bx, by, depth);
@@ -71,6 +69,15 @@ void draw_line_or_point(const TileDraw& draw, std::uint32_t ordinal, OpCounts& c
         });
 }
 
+/// A batch.
+HWY_NOINLINE void draw_lines_and_points(const TileDraw& draw,
+                                        std::span<const std::uint32_t> ordinals, OpCounts& counts) {
+    Corners corners;
+    gather_corners(draw, ordinals, corners);
+    BatchPlanes planes(draw, corners);
+    for (std::size_t i = 0; i < corners.count; ++i) draw_line_or_point(planes, i, counts);
+}
+
 /// Draws the primitives of a bin that may be antialiased.
 HWY_NOINLINE void draw_smooth(const TileDraw& draw, std::span<const std::uint32_t> bin) {
     OpCounts counts;
@@ -80,7 +87,9 @@ HWY_NOINLINE void draw_smooth(const TileDraw& draw, std::span<const std::uint32_
         [&](std::uint32_t ordinal) {
             draw_triangles(draw, {&ordinal, 1}, counts);
         },
-        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
+        [&](std::uint32_t ordinal) {
+            draw_lines_and_points(draw, {&ordinal, 1}, counts);
+        });
     *draw.counts += counts;
 }
 
@@ -121,7 +130,7 @@ void draw_all(const TileDraw& draw, std::span<const std::uint32_t> bin) {
             write_back_tile(draw.tile, touched_planes(*draw.op));
             draw_triangles(draw, batch, counts);
         },
-        [&](std::uint32_t ordinal) { draw_line_or_point(draw, ordinal, counts); });
+        [&](std::span<const std::uint32_t> batch) { draw_lines_and_points(draw, batch, counts); });
     *draw.counts += counts;
 }
 

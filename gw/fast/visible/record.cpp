@@ -229,7 +229,10 @@ void record_all(const TileDraw& draw, std::span<const std::uint32_t> bin, Visibl
         walk_bin(
             draw, bin,
             [&](std::span<const std::uint32_t> batch) { record_triangles(draw, batch, record); },
-            [&](std::uint32_t ordinal) { record_line_or_point(draw, ordinal, record); });
+            [&](std::span<const std::uint32_t> batch) {
+                for (const std::uint32_t ordinal : batch)
+                    record_line_or_point(draw, ordinal, record);
+            });
     sort_blocks(record);
     if (record.corners.size() < record.batches()) record.corners.resize(record.batches());
     for (std::size_t i = 0; i < record.batches(); ++i)

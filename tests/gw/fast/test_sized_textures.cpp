@@ -1,0 +1,78 @@
+// Textures of any size and wrap on the fast machine: the texels that the reference machine looks up,
+// at coordinates of every magnitude.
+#include "tests/gw/random.h"
+#include "tests/gw/workbench.h"
+
+#include <array>
+#include <cmath>
+
+namespace gw::test {
+namespace {
+
+TextureRef noise_of(Random& random, int width, int height) {
+    std::vector<std::uint16_t> texels(std::size_t(4 * width * height));
+    for (std::uint16_t& t : texels) t = std::uint16_t(random.between(0, 65535));
+    return make_whole_texture("noise", width, height, texels);
+}
+
+template <class T, std::size_t n>
+T one_of(Random& random, const std::array<T, n>& values) {
+    return values[std::size_t(random.between(0, int(n) - 1))];
+}
+
+constexpr std::array wraps{Wrap::Repeat, Wrap::Clamp, Wrap::BorderClamp, Wrap::ClampToBorder,
+                           Wrap::MirroredRepeat};
+constexpr std::array min_filters{MinFilter::Nearest,
+                                 MinFilter::Linear,
+                                 MinFilter::NearestMipmapNearest,
+                                 MinFilter::LinearMipmapNearest,
+                                 MinFilter::NearestMipmapLinear,
+                                 MinFilter::LinearMipmapLinear};
+constexpr std::array sides{1, 3, 8, 49, 64, 100};
+
+void set_texture(Random& random, TextureState& s) {
+    s.wrap_s = one_of(random, wraps);
+    s.wrap_t = one_of(random, wraps);
+    s.min_filter = one_of(random, min_filters);
+    s.mag_filter = random.one_in(2) ? MagFilter::Nearest : MagFilter::Linear;
+    s.border_color = vec4(0.2f, 0.9f, 0.4f, 0.6f);
+    if (random.one_in(3)) s.lod.base_level = int(random.between(0, 2));
+    if (random.one_in(3)) s.lod.max_level = int(random.between(0, 4));
+}
+
+/// A quad over most of the window, or a small one, in perspective. A third has q.
+MeshData quad(Random& random) {
+    const float right = random.one_in(4) ? 6.0f : 50.0f;
+    MeshData data = mesh_data(Primitive::Quads,
+                              {{-2, -3, 50}, {right, 2, 50}, {right - 3, 60, 90}, {3, 66, 90}});
+    const float scale = std::ldexp(1.0f, int(random.between(-3, 62)));
+    for (int k = 0; k < 4; ++k)
+        data.texcoords.push_back({scale * (random.fraction() - 0.5f),
+                                  std::ldexp(random.fraction(), int(random.between(0, 6)))});
+    if (random.one_in(2)) std::swap(data.texcoords[0].x, data.texcoords[0].y);
+    if (random.one_in(3))
+        for (int k = 0; k < 4; ++k) data.texcoords_rq.push_back({0, random.fraction() - 0.1f});
+    return data;
+}
+
+TEST(SizedTextures, HaveTheReferencesTexelsAtAnyCoordinate) {
+    Random random(1);
+    Workbench bench(opengl());
+    bench.state.color_source = ColorSource::Vertex;
+    for (int i = 0; i < 600; ++i) {
+        SCOPED_TRACE(i);
+        set_texture(random, bench.state.texture);
+        Draw draw{.mesh = make_mesh(quad(random))};
+        draw.map.texture = noise_of(random, one_of(random, sides), one_of(random, sides));
+        CommandList list;
+        list.add(SetState{bench.state});
+        list.add(Clear{.planes = all_planes});
+        list.add(std::move(draw));
+        bench.run(list);
+        bench.compare();
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
+}  // namespace
+}  // namespace gw::test
