@@ -3,6 +3,7 @@
 #include "gw/base/arithmetic.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace gw::fast {
@@ -19,18 +20,31 @@ double in_pixels(std::int64_t v) { return double(v) / double(shape_pixel); }
 void ShapeSides::set(Shape shape) {
     corners_.assign(shape.begin(), shape.end());
     sides_.clear();
+    path_.clear();
     low_ = high_ = corners_[0];
+    double integral = 0;
     for (std::size_t k = 0; k < corners_.size(); ++k) {
         ShapePoint a = corners_[k], b = corners_[(k + 1) % corners_.size()];
         for (std::size_t i = 0; i < 2; ++i) {
             low_[i] = std::min(low_[i], a[i]);
             high_[i] = std::max(high_[i], a[i]);
         }
-        if (a[1] == b[1]) continue;
-        const bool upwards = a[1] < b[1];
-        if (!upwards) std::swap(a, b);
-        sides_.push_back({in_pixels(a[0]), in_pixels(a[1]), in_pixels(b[1]), in_pixels(b[0]),
-                          double(b[0] - a[0]) / double(b[1] - a[1]), upwards ? 1.0 : -1.0});
+        path_.push_back({in_pixels(a[0]), in_pixels(a[1]), integral});
+        integral += in_pixels(a[0] + b[0]) / 2 * in_pixels(b[1] - a[1]);
+        const double sign = double((a[1] < b[1]) - (a[1] > b[1]));
+        if (sign < 0) std::swap(a, b);
+        const double slope = sign == 0 ? 0 : double(b[0] - a[0]) / double(b[1] - a[1]);
+        sides_.push_back({in_pixels(a[0]), in_pixels(a[1]), in_pixels(b[1]), slope, sign});
+    }
+    path_.push_back({path_[0].x, path_[0].y, integral});
+    monotone_ = sides_.size() % step == 0;
+    for (std::size_t k = 0; monotone_ && k < sides_.size(); k += step) {
+        const std::span<const Corner> part(&path_[k], step + 1);
+        const auto goes_one_way = [&](double Corner::*of) {
+            return std::ranges::is_sorted(part, {}, of) ||
+                   std::ranges::is_sorted(part, std::ranges::greater(), of);
+        };
+        monotone_ = goes_one_way(&Corner::x) && goes_one_way(&Corner::y);
     }
 }
 
@@ -95,40 +109,45 @@ void ShapeCoverage::add_side(const ShapeSides::Side& side, double x, double y) {
     }
 }
 
-void ShapeCoverage::add_pixel(const Pixel& pixel) {
-    if (pixel.row < 0) return;
+ShapeCoverage::Pixel ShapeCoverage::pixel_at(double x, double y) const {
+    const bool inside = x >= 0 && x < width_ && y >= 0 && y < height_;
+    return inside ? Pixel{int(x), int(y)} : Pixel{};
+}
+
+/// Sides in turn that stay in one pixel.
+void ShapeCoverage::add_run(const ShapeSides::Corner& from, const ShapeSides::Corner& to, double x,
+                            const Pixel& pixel) {
     Row& crossed = crossed_[std::size_t(pixel.row)];
     crossed.first = std::min(crossed.first, pixel.column);
     crossed.last = std::max(crossed.last, pixel.column);
     const std::size_t i =
         std::size_t(pixel.row) * std::size_t(width_ + 1) + std::size_t(pixel.column);
-    area_[i] += pixel.area;
-    left_[i] += pixel.left;
-}
-
-/// Adds a side to `pixel` if both are in one pixel of the range.
-bool ShapeCoverage::add_in_pixel(const ShapeSides::Side& side, double x, double y, Pixel& pixel) {
-    const double x0 = side.x + x, x1 = side.x1 + x, y0 = side.y0 + y, y1 = side.y1 + y;
-    const double low = std::min(x0, x1), high = std::max(x0, x1);
-    if (low < 0 || y0 < 0 || high >= width_ || y1 > height_) return false;
-    const int column = int(low), row = int(y0);
-    if (high > column + 1 || y1 > row + 1) return false;
-    if (column != pixel.column || row != pixel.row) {
-        add_pixel(pixel);
-        pixel = {column, row, 0, 0};
-    }
-    const double height = (y1 - y0) * side.sign;
-    pixel.left += height;
-    pixel.area += height * ((low + high) / 2 - column);
-    return true;
+    const double height = to.y - from.y;
+    area_[i] += to.integral - from.integral + (x - pixel.column) * height;
+    left_[i] += height;
 }
 
 /// Most sides of discs are short: several in turn stay in one pixel.
 void ShapeCoverage::add_sides(const ShapeSides& shape, double x, double y) {
-    Pixel pixel;
-    for (const ShapeSides::Side& side : shape.sides())
-        if (!add_in_pixel(side, x, y, pixel)) add_side(side, x, y);
-    add_pixel(pixel);
+    const auto path = shape.path();
+    const auto sides = shape.sides();
+    const auto pixel_of = [&](std::size_t k) { return pixel_at(path[k].x + x, path[k].y + y); };
+    for (std::size_t k = 0; k < sides.size(); ++k) {
+        const Pixel pixel = pixel_of(k);
+        std::size_t end = k;
+        while (pixel.row >= 0 && end < sides.size()) {
+            const bool steps = shape.is_monotone() && end % ShapeSides::step == 0;
+            if (steps && pixel_of(end + ShapeSides::step) == pixel)
+                end += ShapeSides::step;
+            else if (pixel_of(end + 1) == pixel)
+                ++end;
+            else
+                break;
+        }
+        if (end != k) add_run(path[k], path[end], x, pixel);
+        k = end;
+        if (k < sides.size() && sides[k].sign != 0) add_side(sides[k], x, y);
+    }
 }
 
 /// The coverage of a pixel of the range.

@@ -13,20 +13,30 @@
 
 namespace gw::fast {
 
-/// A shape as sides in pixels, without level ones.
+/// A shape as corners and sides in pixels.
 class ShapeSides {
 public:
+    /// The side from a corner to the next.
     struct Side {
         double x, y0, y1;  ///< x at y0, its lower end
-        double x1;         ///< at y1
         double slope;      ///< dx / dy
-        double sign;       ///< 1: upwards, -1: downwards
+        double sign;       ///< 1: upwards, -1: downwards, 0: level
     };
+    struct Corner {
+        double x, y;
+        double integral;  ///< of x dy, from the first corner on
+    };
+    /// So many sides in turn are looked at together.
+    static constexpr std::size_t step = 4;
 
     void set(Shape shape);
 
     Shape corners() const { return corners_; }
     std::span<const Side> sides() const { return sides_; }
+    /// The corners, and the first one again.
+    std::span<const Corner> path() const { return path_; }
+    /// Whether x and y each only grow or only fall over every `step` sides from a multiple of it on.
+    bool is_monotone() const { return monotone_; }
     /// The pixels that it may reach if it is moved by `to`, on the grid of shapes.
     PixelRange pixels(ShapePoint to) const {
         return pixels_around(std::array{ShapePoint{low_[0] + to[0], low_[1] + to[1]},
@@ -36,6 +46,8 @@ public:
 private:
     std::vector<ShapePoint> corners_;
     std::vector<Side> sides_;
+    std::vector<Corner> path_;
+    bool monotone_ = false;
     ShapePoint low_{}, high_{};
 };
 
@@ -69,15 +81,16 @@ private:
     };
 
     void begin(const PixelRange& range);
-    /// What the sides that came last add to the one pixel that they stay in.
+    /// A pixel of the range; none: column -1.
     struct Pixel {
-        int column = 0, row = -1;
-        double area = 0, left = 0;
+        int column = -1, row = -1;
+        bool operator==(const Pixel&) const = default;
     };
 
+    Pixel pixel_at(double x, double y) const;
     void add_sides(const ShapeSides& shape, double x, double y);
-    bool add_in_pixel(const ShapeSides::Side& side, double x, double y, Pixel& pixel);
-    void add_pixel(const Pixel& pixel);
+    void add_run(const ShapeSides::Corner& from, const ShapeSides::Corner& to, double x,
+                 const Pixel& pixel);
     void add_side(const ShapeSides::Side& side, double x, double y);
     void add_to_row(int row, double height, double low, double high);
     void put(int column, int row, std::uint32_t coverage);
