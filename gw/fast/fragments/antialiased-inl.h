@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <span>
 #include <utility>
@@ -50,8 +51,13 @@ public:
         pixels_.assign(std::size_t(width) * std::size_t(height), {});
     }
     void add(Shape shape, std::uint32_t ordinal) {
+        add(shape, ordinal,
+            [&](int i, int j) { return area_inside(shape, draw.tile.x + i, draw.tile.y + j); });
+    }
+    /// The same of areas by area_of(tile column, row).
+    void add(Shape shape, std::uint32_t ordinal, const auto& area_of) {
         for_each(range_of(shape), [&](Pixel& p, int i, int j) {
-            const std::int64_t area = area_inside(shape, draw.tile.x + i, draw.tile.y + j);
+            const std::int64_t area = area_of(i, j);
             p.area = std::min(p.area + area, std::int64_t{2} << area_bits);
             if (area <= p.largest) return;
             p.largest = area;
@@ -132,6 +138,38 @@ HWY_INLINE std::array<ShapePoint, 3> shape_of(const PrimitiveFrame& f) {
     return corners;
 }
 
+/// The areas of a tile's pixels inside a triangle. Most pixels lie on one side of each edge.
+class TriangleAreas {
+public:
+    TriangleAreas(const TileDraw& draw, Shape corners, const TileEdges& edges)
+        : draw_(draw), corners_(corners), e_(edges) {
+        for (std::size_t k = 0; k < 3; ++k)
+            reach_[k] = (std::abs(e_.a[k]) + std::abs(e_.b[k])) / 2 + 2;
+    }
+    std::int64_t operator()(int x, int y) const {
+        bool inside = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const int center = at(k, x, y);
+            if (center + reach_[k] < 0) return 0;
+            inside = inside && center >= reach_[k];
+        }
+        if (inside) return std::int64_t{1} << area_bits;
+        return area_inside(corners_, draw_.tile.x + x, draw_.tile.y + y);
+    }
+    bool has_center(int x, int y) const {
+        return at(0, x, y) >= 0 && at(1, x, y) >= 0 && at(2, x, y) >= 0;
+    }
+
+private:
+    /// Its integer part: the edge function is less than 2 above it.
+    int at(std::size_t k, int x, int y) const { return e_.c[k] + e_.a[k] * x + e_.b[k] * y; }
+
+    const TileDraw& draw_;
+    Shape corners_;
+    TileEdges e_;
+    std::array<int, 3> reach_;  ///< from a pixel's centre to its corners
+};
+
 /// Paints the pixels that have the values of one shape.
 inline void paint_shape(const SmoothTile& pixels, std::uint32_t ordinal, std::uint32_t shape,
                         OpCounts& counts) {
@@ -155,12 +193,9 @@ inline void draw_smooth_polygon(SmoothTile& pixels, std::span<const std::uint32_
     for (std::uint32_t i = 0; i < pieces.size(); ++i) {
         const PrimitiveFrame frame = frame_of(draw, pieces[i]);
         const auto& corners = shapes[i];
-        const TileEdges e = tile_edges(frame, draw.tile);
-        pixels.add(corners, i);
-        pixels.claim(corners, i, [&](int x, int y) {
-            return e.c[0] + e.a[0] * x + e.b[0] * y >= 0 && e.c[1] + e.a[1] * x + e.b[1] * y >= 0 &&
-                   e.c[2] + e.a[2] * x + e.b[2] * y >= 0;
-        });
+        const TriangleAreas areas(draw, corners, tile_edges(frame, draw.tile));
+        pixels.add(corners, i, areas);
+        pixels.claim(corners, i, [&](int x, int y) { return areas.has_center(x, y); });
     }
     pixels.finish();
     for (std::uint32_t i = 0; i < pieces.size(); ++i) paint_shape(pixels, pieces[i], i, counts);

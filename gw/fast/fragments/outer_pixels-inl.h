@@ -8,7 +8,7 @@
 #define GW_FAST_OUTER_PIXELS_INL_H_
 #endif
 
-#include "gw/fast/fragments/smooth_painter-inl.h"
+#include "gw/fast/raster/outer_frame.h"
 #include "gw/fast/shade/batch-inl.h"
 
 #include <algorithm>
@@ -18,6 +18,29 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
+
+/// The colour of a pixel with an outer centre, the lane of `mask`.
+HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
+                                                  const SetupPrimitive& primitive,
+                                                  const PrimitiveFrame& at, int bx, int by,
+                                                  std::uint32_t mask, ShadeInputs& in) {
+    ColorPlanes color;
+    make_color_planes(draw, primitive, at, color);
+    wide_colors(color, *draw.op, bx, by, mask, in);
+    if (draw.op->sums_colors) {
+        ColorPlanes secondary;
+        make_secondary_planes(draw, primitive, at, secondary);
+        interpolated_color(secondary, draw.op->state.bits, bx, by, mask, in.secondary);
+    }
+    if (draw.op->direct_fog)
+        find_given_fog(given_fog(draw, primitive, at), draw, bx, by, mask, in.fog);
+    if (draw.op->texels) {
+        TexturePlanes texture;
+        make_texture_planes(draw, primitive, at, texture);
+        look_up(texture, draw, bx, by, mask, in);
+    }
+    return shaded(draw, in.texels[0], in);
+}
 
 /// Copies one lane of a block.
 HWY_INLINE void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {

@@ -9,7 +9,7 @@
 #endif
 
 #include "gw/fast/fragments/fragments-inl.h"
-#include "gw/fast/raster/outer_frame.h"
+#include "gw/fast/fragments/outer_pixels-inl.h"
 #include "gw/fast/raster/shape_coverage.h"
 #include "gw/fast/shade/batch-inl.h"
 
@@ -31,29 +31,6 @@ HWY_INLINE void cover_alpha(const TileDraw& draw, const CoverageBlock& coverage,
     }
     for (std::size_t i = 0; i < block_pixels; ++i)
         alpha[i] = covered_alpha(alpha[i], coverage.lane[i], bits);
-}
-
-/// The colour of a pixel with an outer centre, the lane of `mask`.
-HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
-                                                  const SetupPrimitive& primitive,
-                                                  const PrimitiveFrame& at, int bx, int by,
-                                                  std::uint32_t mask, ShadeInputs& in) {
-    ColorPlanes color;
-    make_color_planes(draw, primitive, at, color);
-    wide_colors(color, *draw.op, bx, by, mask, in);
-    if (draw.op->sums_colors) {
-        ColorPlanes secondary;
-        make_secondary_planes(draw, primitive, at, secondary);
-        interpolated_color(secondary, draw.op->state.bits, bx, by, mask, in.secondary);
-    }
-    if (draw.op->direct_fog)
-        find_given_fog(given_fog(draw, primitive, at), draw, bx, by, mask, in.fog);
-    if (draw.op->texels) {
-        TexturePlanes texture;
-        make_texture_planes(draw, primitive, at, texture);
-        look_up(texture, draw, bx, by, mask, in);
-    }
-    return shaded(draw, in.texels[0], in);
 }
 
 /// Primitive i of a batch, in the pixels that have its values.
@@ -95,7 +72,11 @@ private:
         const PrimitiveFrame at = outer_frame(draw_, frame_, bx, by, lane);
         const std::uint32_t mask = 1u << lane;
         run(depth_plane(draw_, primitive_, at), bx, by, coverage, mask, [&]() -> const ColorBlock& {
-            return outer_color(draw_, primitive_, at, bx, by, mask, outer_);
+            if (!OuterPixels::applies_to(planes_, i_))
+                return outer_color(draw_, primitive_, at, bx, by, mask, outer_);
+            if (!pixels_) pixels_.emplace(planes_, i_, planes_.corners.ordinal[i_]);
+            pixels_->put(bx, by, mask, outer_);
+            return shaded(draw_, outer_.texels[0], outer_);
         });
     }
 
@@ -108,6 +89,7 @@ private:
     const DepthPlane depth_;
     ColorBlock covered_;
     ShadeInputs outer_;
+    std::optional<OuterPixels> pixels_;  ///< made for the first one
 };
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -55,15 +55,31 @@ MeshData quad(Random& random) {
     return data;
 }
 
-TEST(SizedTextures, HaveTheReferencesTexelsAtAnyCoordinate) {
+/// A triangle whose left side has the least denominators that there are: the coordinates of its
+/// pixels are the largest.
+MeshData pole(Random& random) {
+    MeshData data = mesh_data(Primitive::Triangles, {{4.5f, 2, 9}, {60, 30, 9}, {4.5f, 60, 9}});
+    const float scale = std::ldexp(1.0f, int(random.between(6, 10)));
+    for (int k = 0; k < 3; ++k) {
+        data.texcoords.push_back(
+            {scale * (random.fraction() - 0.5f), scale * (random.fraction() - 0.5f)});
+        data.texcoords_rq.push_back({0, k == 1 ? 1.0f : 1e-9f});
+    }
+    return data;
+}
+
+/// 600 textures on what `mesh` makes.
+void compare(MeshData (*mesh)(Random&)) {
     Random random(1);
     Workbench bench(opengl());
     bench.state.color_source = ColorSource::Vertex;
     for (int i = 0; i < 600; ++i) {
         SCOPED_TRACE(i);
         set_texture(random, bench.state.texture);
-        Draw draw{.mesh = make_mesh(quad(random))};
-        draw.map.texture = noise_of(random, one_of(random, sides), one_of(random, sides));
+        Draw draw{.mesh = make_mesh(mesh(random))};
+        draw.map.texture = random.one_in(3)
+                               ? noise_of(random, int(random.between(2049, 4096)), 3)
+                               : noise_of(random, one_of(random, sides), one_of(random, sides));
         CommandList list;
         list.add(SetState{bench.state});
         list.add(Clear{.planes = all_planes});
@@ -73,6 +89,9 @@ TEST(SizedTextures, HaveTheReferencesTexelsAtAnyCoordinate) {
         if (testing::Test::HasFailure()) return;
     }
 }
+
+TEST(SizedTextures, HaveTheReferencesTexelsAtAnyCoordinate) { compare(quad); }
+TEST(SizedTextures, HaveThemWhereQIsNearlyZero) { compare(pole); }
 
 }  // namespace
 }  // namespace gw::test
