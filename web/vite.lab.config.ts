@@ -12,6 +12,7 @@ import { viteSingleFile } from 'vite-plugin-singlefile';
 const engine = process.env.GW_ENGINE ?? '../build/lab/engine';
 const scalar = process.env.GW_SCALAR ?? '../build/lab/scalar';
 const scenes = process.env.GW_SCENES ?? '../scenes';
+const micropython = 'node_modules/@micropython/micropython-webassembly-pyscript';
 const packed = (bytes: Uint8Array | string): string =>
   gzipSync(bytes, { level: 9 }).toString('base64');
 
@@ -40,6 +41,7 @@ function scriptText(file: string, format: 'iife' | 'esm'): string {
     format,
     target: 'es2022',
     alias,
+    external: ['module', 'url', 'path', 'fs', 'crypto', 'worker_threads'], // of Node, never reached
     define: { 'import.meta.url': '""' }, // of Emscripten's scripts, which get their bytes from the page
   });
   return built.outputFiles[0]!.text.replaceAll('</script', '<\\/script').replaceAll(
@@ -66,7 +68,9 @@ function data(): Plugin {
           block('engine', packed(readFileSync(join(engine, 'engine.wasm')))) +
           `<script>${scriptText('lab/machine/early.ts', 'iife')}</script>` +
           block('scalar', packed(readFileSync(join(scalar, 'engine.wasm')))) +
-          block('editor', scriptText('components/code_editor.ts', 'esm')),
+          block('editor', scriptText('components/code_editor.ts', 'esm')) +
+          block('python', `(async () => {${scriptText('lab/own/python_worker.ts', 'esm')}})()`) +
+          block('micropython', packed(readFileSync(join(micropython, 'micropython.wasm')))),
       ),
   };
 }

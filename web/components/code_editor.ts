@@ -1,6 +1,7 @@
-// CodeMirror as an editor of JavaScript with one line marked as wrong. Tab leaves it (Escape is not
-// needed). A page takes it as a script of its own, since it is large.
+// CodeMirror as an editor of JavaScript or Python with one line marked as wrong. Tab leaves it
+// (Escape is not needed). A page takes it as a script of its own, since it is large.
 import { javascript } from '@codemirror/lang-javascript';
+import { python } from '@codemirror/lang-python';
 import { syntaxHighlighting } from '@codemirror/language';
 import { Compartment, StateEffect, StateField, type Text } from '@codemirror/state';
 import { Decoration, EditorView, type DecorationSet } from '@codemirror/view';
@@ -9,6 +10,7 @@ import { basicSetup } from 'codemirror';
 
 export interface CodeEditor {
   show(text: string): void;
+  speak(language: 'javascript' | 'python'): void;
   /** 1, 2, ...; 0: none. */
   mark(line: number): void;
   /** Letters on a dark ground. */
@@ -33,6 +35,7 @@ const marked = StateField.define<DecorationSet>({
   provide: (field) => EditorView.decorations.from(field),
 });
 
+const spoken = new Compartment();
 const ground = new Compartment();
 const groundOf = (dark: boolean) => EditorView.theme({}, { dark });
 
@@ -47,7 +50,7 @@ export function codeEditor(
     doc: text,
     extensions: [
       basicSetup,
-      javascript(),
+      spoken.of(javascript()),
       syntaxHighlighting(classHighlighter),
       ground.of(groundOf(false)),
       marked,
@@ -63,6 +66,10 @@ export function codeEditor(
       if (doc.toString() !== now)
         view.dispatch({ changes: { from: 0, to: doc.length, insert: now } });
     },
+    speak: (language) =>
+      view.dispatch({
+        effects: spoken.reconfigure(language === 'python' ? python() : javascript()),
+      }),
     mark: (line) => view.dispatch({ effects: mark.of(line) }),
     darken: (dark) => view.dispatch({ effects: ground.reconfigure(groundOf(dark)) }),
     destroy: () => view.destroy(),

@@ -155,7 +155,8 @@ export const en = {
   lab_keys_radiosity: 'Keys: ← → shot, Home: none, End: to 1 % unshot, space: play.',
   lab_own_algorithm: 'Your algorithm',
   lab_own_look:
-    'Write an algorithm in JavaScript: `scene` has the polygons, `step({...})` draws. The machine grades every pixel.',
+    'Write an algorithm in JavaScript or Python: `scene` has the polygons, `step(...)` draws. The machine grades every pixel.',
+  lab_language: 'Language',
   lab_example: 'Begin with',
   lab_run: 'Run',
   lab_wrong_pixels: 'Wrong pixels',

@@ -159,7 +159,8 @@ export const ja: Words = {
   lab_keys_radiosity: 'キー：← → ショット、Home なし、End 未放射 1 % まで、スペース 再生。',
   lab_own_algorithm: '自分のアルゴリズム',
   lab_own_look:
-    'アルゴリズムを JavaScript で書きます。`scene` にポリゴンがあり、`step({...})` で描きます。機械が全画素を採点します。',
+    'アルゴリズムを JavaScript か Python で書きます。`scene` にポリゴンがあり、`step(...)` で描きます。機械が全画素を採点します。',
+  lab_language: '言語',
   lab_example: '手本',
   lab_run: '実行',
   lab_wrong_pixels: '誤った画素',

@@ -3,7 +3,6 @@
 #include "gw/base/arithmetic.h"
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 namespace gw::fast {
@@ -41,8 +40,10 @@ void ShapeSides::set(Shape shape) {
     for (std::size_t k = 0; monotone_ && k < sides_.size(); k += step) {
         const std::span<const Corner> part(&path_[k], step + 1);
         const auto goes_one_way = [&](double Corner::*of) {
-            return std::ranges::is_sorted(part, {}, of) ||
-                   std::ranges::is_sorted(part, std::ranges::greater(), of);
+            const auto grows = [of](const Corner& l, const Corner& r) { return l.*of < r.*of; };
+            const auto falls = [of](const Corner& l, const Corner& r) { return l.*of > r.*of; };
+            return std::is_sorted(part.begin(), part.end(), grows) ||
+                   std::is_sorted(part.begin(), part.end(), falls);
         };
         monotone_ = goes_one_way(&Corner::x) && goes_one_way(&Corner::y);
     }

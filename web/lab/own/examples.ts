@@ -1,6 +1,9 @@
 // Programs to begin with: algorithms that speak the protocol of `gw play`.
 
-export const examples: Readonly<Record<string, string>> = {
+import type { Language } from './program';
+import { pythonExamples } from './python_examples';
+
+const javascriptExamples: Readonly<Record<string, string>> = {
   painter: `// A painter's algorithm: sorts by the farthest corner, draws far to near.
 const depth = (polygon) => Math.max(...polygon.outline.flat().map(([x, y, z]) => z));
 
@@ -63,4 +66,9 @@ for (const polygon of scene.polygons) {
   if (sum < 0) step({ kind: "draw", pieces: [String(polygon.id)] });
 }
 `,
+};
+
+export const examples: Readonly<Record<Language, Readonly<Record<string, string>>>> = {
+  javascript: javascriptExamples,
+  python: pythonExamples,
 };

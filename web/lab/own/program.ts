@@ -1,10 +1,29 @@
-// Runs a program of the visitor: JavaScript in a worker of its own, with a time limit and without
-// the network. It gets the polygons as `scene` and says its steps by `step({...})`.
+// Runs a program of the visitor in a worker of its own, with a time limit and without the network.
+// It gets the polygons as `scene` and says its steps: by step({...}), in Python also by step(...).
+import { scriptAddress, textOf } from '../machine/data';
+
+export type Language = 'javascript' | 'python';
+export const languages: Readonly<Record<Language, string>> = {
+  javascript: 'JavaScript',
+  python: 'Python',
+};
 
 export interface Program {
   /** The steps, one line of JSON each. */
   readonly steps: string[];
 }
+/** What a worker says at the end. */
+export type Said = Program | { readonly wrong: string; readonly line: number };
+
+/** What the worker of a program in Python is told. */
+export interface PythonTask {
+  readonly text: string;
+  readonly polygons: string;
+  /** MicroPython's WebAssembly, packed. */
+  readonly module: string;
+  readonly mostSteps: number;
+}
+
 export class ProgramError extends Error {
   constructor(
     message: string,
@@ -17,32 +36,50 @@ export class ProgramError extends Error {
 
 export const mostSteps = 200_000;
 
-/** All before the program stands in its first line, so that lines keep their numbers. */
-const before = (polygons: string): string =>
-  'for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) self[name] = undefined;' +
-  `const scene = ${polygons.trim()}; const stepsSaid = [];` +
-  `function step(members) { if (stepsSaid.push(JSON.stringify(members)) > ${mostSteps}) throw new RangeError("more than ${mostSteps} steps"); }`;
-
-export function runProgram(text: string, polygons: string, seconds: number): Promise<Program> {
-  const source = `${before(polygons.replaceAll('\n', ' '))}${text}\n;self.postMessage(stepsSaid);`;
-  const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
-  const worker = new Worker(url);
+/** Ends the worker of a script when it has said its steps or an error, or after so many seconds. */
+function said(address: string, task: unknown, seconds: number): Promise<Program> {
+  const worker = new Worker(address);
   return new Promise<Program>((done, failed) => {
     const timer = setTimeout(
       () => failed(new ProgramError(`no end after ${seconds} s`, 0)),
       seconds * 1000,
     );
-    worker.onmessage = (event: MessageEvent<string[]>) => {
+    worker.onmessage = ({ data }: MessageEvent<Said>) => {
       clearTimeout(timer);
-      done({ steps: event.data });
+      if ('steps' in data) done(data);
+      else failed(new ProgramError(data.wrong, data.line));
     };
     worker.onerror = (event) => {
       event.preventDefault();
       clearTimeout(timer);
       failed(new ProgramError(event.message.replace(/^Uncaught /, ''), event.lineno));
     };
+    worker.postMessage(task);
   }).finally(() => {
     worker.terminate();
-    URL.revokeObjectURL(url);
+    URL.revokeObjectURL(address);
   });
+}
+
+/** All before the program stands in its first line, so that lines keep their numbers. */
+const before = (polygons: string): string =>
+  'for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) self[name] = undefined;' +
+  `const scene = ${polygons.trim()}; const stepsSaid = [];` +
+  `function step(members) { if (stepsSaid.push(JSON.stringify(members)) > ${mostSteps}) throw new RangeError("more than ${mostSteps} steps"); }`;
+
+const addressOf = (javascript: string): string =>
+  URL.createObjectURL(new Blob([javascript], { type: 'text/javascript' }));
+
+export function runProgram(
+  language: Language,
+  text: string,
+  polygons: string,
+  seconds: number,
+): Promise<Program> {
+  if (language === 'python') {
+    const task: PythonTask = { text, polygons, module: textOf('micropython'), mostSteps };
+    return said(scriptAddress('python'), task, seconds);
+  }
+  const source = `${before(polygons.replaceAll('\n', ' '))}${text}\n;self.postMessage({ steps: stepsSaid });`;
+  return said(addressOf(source), undefined, seconds);
 }

@@ -1,6 +1,7 @@
 // The state of the exhibit of the visitor's algorithm in the address, and what it asks the engine.
 import type { ExhibitState } from '../exhibit/exhibit';
 import type { Graded } from '../hidden/state';
+import type { Language } from './program';
 
 declare module '../machine/protocol' {
   interface Methods {
@@ -12,11 +13,16 @@ declare module '../machine/protocol' {
 export interface OwnState {
   /** The visitor's program, packed; '': the example. */
   code: string;
+  language: Language;
 }
 
 export const ownState: ExhibitState<OwnState> = {
-  from: (parts) => ({ code: parts.get('code') ?? '' }),
-  put(parts, { code }) {
+  from: (parts) => ({
+    code: parts.get('code') ?? '',
+    language: parts.get('language') === 'python' ? 'python' : 'javascript',
+  }),
+  put(parts, { code, language }) {
+    if (language !== 'javascript') parts.set('language', language);
     if (code) parts.set('code', code);
   },
 };

@@ -6,6 +6,10 @@ import { inChromium, open, thePage } from './page';
 inChromium();
 const begin = (code: string, scene = 'hidden/cycle.toml') =>
   open(`#lang=en&exhibit=own&size=160x120&scene=${scene}&code=${packedText(code)}`);
+const beginPython = (code: string) =>
+  open(
+    `#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml&language=python&code=${packedText(code)}`,
+  );
 const grade = async () => {
   await thePage().waitForSelector('.grade');
   return thePage().$eval('.grade', (e) => e.textContent ?? '');
@@ -60,4 +64,53 @@ it('ends a program that loops, and goes on', async () => {
   await thePage().select('select.example', 'painter');
   await thePage().click('button.run');
   await grade();
+});
+
+it('grades the same programs in Python', async () => {
+  await open('#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml');
+  const painted = await grade();
+  await thePage().select('select.language', 'python');
+  await thePage().waitForFunction(() => location.hash.includes('language=python'));
+  expect(await thePage().$eval('.cm-content', (e) => e.textContent)).toContain(
+    'def depth(polygon)',
+  );
+  await thePage().click('button.run');
+  await grade();
+  expect(await grade()).toBe(painted);
+  await thePage().select('select.example', 'z-buffer');
+  await thePage().click('button.run');
+  await thePage().waitForSelector('.grade.right');
+  expect(await grade()).toBe('Wrong pixels: 0 of 19200');
+});
+
+it('marks the line of an error in Python', async () => {
+  await beginPython('def f():\n    return nothing\n\nf()\n');
+  expect(await complaint()).toContain("line 2: NameError: name 'nothing' isn't defined");
+  await thePage().waitForSelector('.wrong-line');
+  expect(await thePage().$eval('.wrong-line', (e) => e.textContent)).toBe('    return nothing');
+});
+
+it('marks the line of a mistake in the syntax of Python', async () => {
+  await beginPython('a = 1\nlet let = ;\n');
+  expect(await complaint()).toContain('line 2: SyntaxError');
+});
+
+it('ends a program in Python that loops', async () => {
+  await beginPython('while True:\n    pass\n');
+  expect(await complaint()).toContain('no end after 5 s');
+});
+
+it('keeps a program in Python from the network', async () => {
+  await beginPython('import js\njs.fetch("https://example.org")\n');
+  expect(await complaint()).toContain('line 2: ');
+});
+
+it('names the step of a program in Python that the machine refuses', async () => {
+  await beginPython('step(kind="draw", pieces=["99"])\n');
+  expect(await complaint()).toContain("step:1: unknown polygon '99'");
+});
+
+it('takes a dictionary as a step of Python', async () => {
+  await beginPython('step({"kind": "draw"}, pieces=["98"])\n');
+  expect(await complaint()).toContain("step:1: unknown polygon '98'");
 });
