@@ -174,7 +174,7 @@ private:
     std::uint16_t added_alpha_ = 0;
 };
 
-/// Texels as bytes of a format. Empty: the format has luminance.
+/// Texels as bytes of a format. Empty: pack_words() does not know it.
 std::vector<std::byte> texel_bytes(const TextureImage& image, GLenum format) {
     const FormatChannels channels(image.internal_format);
     std::vector<std::uint32_t> words(image.texels.size() / 4);

@@ -1,6 +1,7 @@
 // Runs a program of the visitor in a worker of its own, with a time limit and without the network.
 // It gets the polygons as `scene` and says its steps: by step({...}), in Python also by step(...).
 import { scriptAddress, textOf } from '../machine/data';
+import { mostSteps, network } from './limits';
 
 export type Language = 'javascript' | 'python';
 export const languages: Readonly<Record<Language, string>> = {
@@ -21,7 +22,6 @@ export interface PythonTask {
   readonly polygons: string;
   /** MicroPython's WebAssembly, packed. */
   readonly module: string;
-  readonly mostSteps: number;
 }
 
 export class ProgramError extends Error {
@@ -33,8 +33,6 @@ export class ProgramError extends Error {
     super(message);
   }
 }
-
-export const mostSteps = 200_000;
 
 /** Ends the worker of a script when it has said its steps or an error, or after so many seconds. */
 function said(address: string, task: unknown, seconds: number): Promise<Program> {
@@ -52,7 +50,9 @@ function said(address: string, task: unknown, seconds: number): Promise<Program>
     worker.onerror = (event) => {
       event.preventDefault();
       clearTimeout(timer);
-      failed(new ProgramError(event.message.replace(/^Uncaught /, ''), event.lineno));
+      // A script that does not start has an event without words.
+      const message = (event.message as string | undefined) ?? 'the program did not start';
+      failed(new ProgramError(message.replace(/^Uncaught /, ''), event.lineno));
     };
     worker.postMessage(task);
   }).finally(() => {
@@ -63,7 +63,7 @@ function said(address: string, task: unknown, seconds: number): Promise<Program>
 
 /** All before the program stands in its first line, so that lines keep their numbers. */
 const before = (polygons: string): string =>
-  'for (const name of ["fetch", "XMLHttpRequest", "WebSocket", "EventSource", "importScripts"]) self[name] = undefined;' +
+  `for (const name of ${JSON.stringify(network)}) self[name] = undefined;` +
   `const scene = ${polygons.trim()}; const stepsSaid = [];` +
   `function step(members) { if (stepsSaid.push(JSON.stringify(members)) > ${mostSteps}) throw new RangeError("more than ${mostSteps} steps"); }`;
 
@@ -77,7 +77,7 @@ export function runProgram(
   seconds: number,
 ): Promise<Program> {
   if (language === 'python') {
-    const task: PythonTask = { text, polygons, module: textOf('micropython'), mostSteps };
+    const task: PythonTask = { text, polygons, module: textOf('micropython') };
     return said(scriptAddress('python'), task, seconds);
   }
   const source = `${before(polygons.replaceAll('\n', ' '))}${text}\n;self.postMessage({ steps: stepsSaid });`;

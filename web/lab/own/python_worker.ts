@@ -1,6 +1,7 @@
 // The worker of a program in Python: MicroPython, whose module the page has as text.
 import { loadMicroPython } from '@micropython/micropython-webassembly-pyscript/micropython.mjs';
 import { unpacked } from '../machine/unpacked';
+import { mostSteps, network } from './limits';
 import type { PythonTask, Said } from './program';
 
 const heap = 128 * 1024 * 1024; // bytes
@@ -22,27 +23,24 @@ function asError(error: unknown): Said {
   return { wrong: lines.at(-1) ?? message, line: Number(places.at(-1)?.[1] ?? 0) };
 }
 
-async function run({ text, polygons, module, mostSteps }: PythonTask): Promise<Said> {
+async function run({ text, polygons, module }: PythonTask): Promise<Said> {
   const names = self as unknown as Record<string, unknown>;
   names.fetch = () => Promise.resolve(unpacked(module, 'application/wasm'));
   const python = await loadMicroPython({ url: 'micropython.wasm', heapsize: heap });
-  for (const name of ['fetch', 'XMLHttpRequest', 'WebSocket', 'EventSource', 'importScripts'])
-    names[name] = undefined;
+  for (const name of network) names[name] = undefined;
   const steps: string[] = [];
   python.globals.set('text', text);
   python.globals.set('polygons', polygons);
   python.globals.set('say_step', (step: string) => {
     if (steps.push(step) > mostSteps) throw new RangeError(`more than ${mostSteps} steps`);
   });
-  try {
-    python.runPython(before);
-    python.runPython('run_program()');
-  } catch (error) {
-    return asError(error);
-  }
+  python.runPython(before);
+  python.runPython('run_program()');
   return { steps };
 }
 
 self.onmessage = ({ data }: MessageEvent<PythonTask>) => {
-  void run(data).then((said) => self.postMessage(said));
+  void run(data)
+    .catch(asError)
+    .then((said) => self.postMessage(said));
 };

@@ -4,12 +4,9 @@ import { packedText } from '../../model/packed_text';
 import { inChromium, open, thePage } from './page';
 
 inChromium();
-const begin = (code: string, scene = 'hidden/cycle.toml') =>
-  open(`#lang=en&exhibit=own&size=160x120&scene=${scene}&code=${packedText(code)}`);
-const beginPython = (code: string) =>
-  open(
-    `#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml&language=python&code=${packedText(code)}`,
-  );
+const page = '#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml';
+const begin = (code: string) => open(`${page}&code=${packedText(code)}`);
+const beginPython = (code: string) => open(`${page}&language=python&code=${packedText(code)}`);
 const grade = async () => {
   await thePage().waitForSelector('.grade');
   return thePage().$eval('.grade', (e) => e.textContent ?? '');
@@ -20,7 +17,7 @@ const complaint = async () => {
 };
 
 it('grades the examples', async () => {
-  await open('#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml');
+  await open(page);
   expect(await grade()).not.toContain('Wrong pixels: 0 of');
   await thePage().select('select.example', 'z-buffer');
   await thePage().click('button.run');
@@ -67,7 +64,7 @@ it('ends a program that loops, and goes on', async () => {
 });
 
 it('grades the same programs in Python', async () => {
-  await open('#lang=en&exhibit=own&size=160x120&scene=hidden/cycle.toml');
+  await open(page);
   const painted = await grade();
   await thePage().select('select.language', 'python');
   await thePage().waitForFunction(() => location.hash.includes('language=python'));
