@@ -54,7 +54,7 @@ struct PointState {
     float size = 1;
     bool smooth = false, sprite = false;
     float min_size = 0, max_size = 128;
-    float fade_threshold = 1;  ///< without effect: points do not fade
+    float fade_threshold = 1;  ///< without effect: fading is optional (OpenGL 1.5, 3.3)
     vec3 attenuation{1, 0, 0};
     std::array<bool, 4> coord_replace{};  ///< of texture units
     bool operator==(const PointState&) const = default;

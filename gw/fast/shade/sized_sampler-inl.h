@@ -9,6 +9,7 @@
 #endif
 
 #include "gw/fast/shade/fetched-inl.h"
+#include "gw/fast/shade/positions-inl.h"
 #include "gw/stages/perspective.h"
 
 #include <algorithm>
@@ -125,23 +126,11 @@ private:
         for (std::size_t i = 0; i < lanes32; i += hn::Lanes(d)) {
             const auto texels = hn::PromoteTo(d, hn::ShiftLeft<8>(hn::Load(i32, size + i)));
             const auto from = hn::Floor(hn::Mul(hn::PromoteTo(d, hn::Load(f, u + i)), texels));
-            auto n = hn::Add(from, hn::Mul(hn::PromoteTo(d, hn::Load(i32, k + i)), texels));
+            const auto n = hn::Add(from, hn::Mul(hn::PromoteTo(d, hn::Load(i32, k + i)), texels));
             if (!hn::AllTrue(d, hn::Lt(hn::Abs(n), hn::Set(d, 0x1p50)))) return false;
-            if (wrap == Wrap::Repeat)
-                n = modulo_of(n, texels);
-            else if (wrap == Wrap::MirroredRepeat)
-                n = modulo_of(n, hn::Add(texels, texels));
-            else
-                n = hn::Max(hn::Set(d, -0x1p30), hn::Min(n, hn::Set(d, 0x1p30)));
-            hn::Store(hn::DemoteTo(i32, n), i32, found + i);
+            hn::Store(hn::DemoteTo(i32, folded_position(n, texels, wrap)), i32, found + i);
         }
         return true;
-    }
-    /// Of whole numbers below 2^50. 0 may be the period: the quotient of a multiple of it may be too
-    /// small by one.
-    HWY_INLINE static V64 modulo_of(V64 n, V64 period) {
-        const auto quotient = hn::Floor(hn::Mul(n, hn::Div(hn::Set(D64(), 1.0), period)));
-        return hn::Sub(n, hn::Mul(quotient, period));
     }
 #else
     HWY_INLINE static bool positions_by_doubles(const float*, const std::int32_t*,
@@ -150,45 +139,6 @@ private:
     }
 #endif
 
-    HWY_INLINE static VI within(VI index, VI low, VI high) {
-        return hn::Min(hn::Max(index, low), high);
-    }
-    /// wrap_index() of gw/stages/texels.h of an index at most one below 0 or above the last one, if
-    /// the wrap repeats.
-    HWY_INLINE static VI nearest_index(Wrap wrap, VI index, VI size) {
-        const I32 d;
-        const auto zero = hn::Zero(d), one = hn::Set(d, 1);
-        const auto into = [&](VI period) {
-            const auto up = hn::Add(index, hn::IfThenElseZero(hn::Lt(index, zero), period));
-            return hn::Sub(up, hn::IfThenZeroElse(hn::Lt(up, period), period));
-        };
-        switch (wrap) {
-            case Wrap::Repeat: return into(size);
-            case Wrap::Clamp:
-            case Wrap::BorderClamp: break;
-            case Wrap::ClampToBorder: return within(index, hn::Set(d, -1), size);
-            case Wrap::MirroredRepeat: {
-                const auto two = hn::Add(size, size), i = into(two);
-                return hn::IfThenElse(hn::Lt(i, size), i, hn::Sub(hn::Sub(two, one), i));
-            }
-        }
-        return within(index, zero, hn::Sub(size, one));
-    }
-    /// filter_index() of it.
-    HWY_INLINE static VI linear_index(Wrap wrap, VI index, VI size) {
-        return wrap == Wrap::BorderClamp ? index : nearest_index(wrap, index, size);
-    }
-    /// clamped_position() less half a texel.
-    HWY_INLINE static VI from_first_centre(Wrap wrap, VI position, VI size) {
-        const I32 d;
-        if (wrap == Wrap::BorderClamp)
-            position = within(position, hn::Zero(d), hn::ShiftLeft<8>(size));
-        return hn::Sub(position, hn::Set(d, 128));
-    }
-
-    HWY_INLINE static bool reaches_outside(Wrap wrap) {
-        return wrap == Wrap::ClampToBorder || wrap == Wrap::BorderClamp;
-    }
     /// FoldedTexels::at() of indices at most one outside of the level.
     HWY_INLINE V32 texel(VI i, VI j, const Level& level) const {
         const I32 d;

@@ -1,5 +1,5 @@
-// Textures of any size and wrap on the fast machine: the texels that the reference machine looks up,
-// at coordinates of every magnitude.
+// Textures of any size and wrap, also of three dimensions, on the fast machine: the texels that the
+// reference machine looks up, at coordinates of every magnitude.
 #include "tests/gw/random.h"
 #include "tests/gw/workbench.h"
 
@@ -13,6 +13,15 @@ TextureRef noise_of(Random& random, int width, int height) {
     std::vector<std::uint16_t> texels(std::size_t(4 * width * height));
     for (std::uint16_t& t : texels) t = std::uint16_t(random.between(0, 65535));
     return make_whole_texture("noise", width, height, texels);
+}
+
+/// Levels that it lacks are never looked up: its filters do not depend on rho.
+TextureRef volume_of(Random& random, int width, int height, int layers) {
+    Texture t{.name = "volume", .dimensions = 3, .given_levels = true};
+    std::vector<std::uint16_t> texels(std::size_t(4 * width * height * layers));
+    for (std::uint16_t& texel : texels) texel = std::uint16_t(random.between(0, 65535));
+    t.levels.push_back({width, height, std::move(texels), layers});
+    return std::make_shared<const Texture>(std::move(t));
 }
 
 template <class T, std::size_t n>
@@ -90,8 +99,40 @@ void compare(MeshData (*mesh)(Random&)) {
     }
 }
 
+/// 600 volumes, with an r of any magnitude too.
+void compare_volumes(MeshData (*mesh)(Random&)) {
+    Random random(2);
+    Workbench bench(opengl());
+    bench.state.color_source = ColorSource::Vertex;
+    for (int i = 0; i < 600; ++i) {
+        SCOPED_TRACE(i);
+        TextureState& s = bench.state.texture;
+        set_texture(random, s);
+        s.wrap_r = one_of(random, wraps);
+        s.min_filter = random.one_in(2) ? MinFilter::Nearest : MinFilter::Linear;
+        s.mag_filter = s.min_filter == MinFilter::Linear ? MagFilter::Linear : MagFilter::Nearest;
+        s.lod = {};
+        MeshData data = mesh(random);
+        const float scale = std::ldexp(1.0f, int(random.between(-3, 50)));
+        if (data.texcoords_rq.empty()) data.texcoords_rq.resize(data.texcoords.size(), {0, 1});
+        for (auto& rq : data.texcoords_rq) rq.x = scale * (random.fraction() - 0.5f);
+        Draw draw{.mesh = make_mesh(std::move(data))};
+        draw.map.texture = volume_of(random, one_of(random, sides), one_of(random, sides),
+                                     int(random.between(1, 9)));
+        CommandList list;
+        list.add(SetState{bench.state});
+        list.add(Clear{.planes = all_planes});
+        list.add(std::move(draw));
+        bench.run(list);
+        bench.compare();
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
 TEST(SizedTextures, HaveTheReferencesTexelsAtAnyCoordinate) { compare(quad); }
 TEST(SizedTextures, HaveThemWhereQIsNearlyZero) { compare(pole); }
+TEST(SizedTextures, OfThreeDimensionsHaveThemAtAnyCoordinate) { compare_volumes(quad); }
+TEST(SizedTextures, OfThreeDimensionsHaveThemWhereQIsNearlyZero) { compare_volumes(pole); }
 
 }  // namespace
 }  // namespace gw::test
