@@ -33,7 +33,7 @@ HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
         interpolated_color(secondary, draw.op->state.bits, bx, by, mask, in.secondary);
     }
     if (draw.op->direct_fog)
-        find_given_fog(given_fog(draw, primitive, at), draw, bx, by, mask, in.fog);
+        find_given_fog_lanes(given_fog(draw, primitive, at), draw, bx, by, mask, in.fog);
     if (draw.op->texels) {
         TexturePlanes texture;
         make_texture_planes(draw, primitive, at, texture);

@@ -7,6 +7,7 @@
 #define GW_FAST_BATCH_INL_H_
 #endif
 
+#include "gw/fast/shade/given_fog-inl.h"
 #include "gw/fast/shade/modulate-inl.h"
 #include "gw/fast/shade/shade-inl.h"
 
@@ -88,7 +89,7 @@ struct BatchPlanes {
         if (draw.op->sums_colors)
             interpolated_color(scratch.secondary[i], draw.op->state.bits, bx, by, mask,
                                in.secondary);
-        if (draw.op->direct_fog) find_given_fog(scratch.fog[i], draw, bx, by, mask, in.fog);
+        if (draw.op->direct_fog) find_given_fog_lanes(scratch.fog[i], draw, bx, by, mask, in.fog);
         return shaded(draw, in.texels[0], in);
     }
     /// Whether texels can be looked up for several blocks at once.

@@ -64,7 +64,7 @@ inline SumLanes node_at(const Sum* table, hn::Vec<I64> index) {
 }
 
 /// 2^e for -1022 <= e <= 1023.
-inline V64 power_of_two(hn::Vec<I64> e) {
+inline V64 power_of_two_lanes(hn::Vec<I64> e) {
     return hn::BitCast(D64(), hn::ShiftLeft<52>(hn::Add(e, hn::Set(I64(), 1023))));
 }
 
@@ -108,7 +108,7 @@ inline V64 exp_of_sum(const SumLanes& x) {
     const auto small = hn::Lt(e, least);
     const auto first = hn::IfThenElse(small, hn::Sub(e, least), e),
                second = hn::IfThenElseZero(small, least);
-    return hn::Mul(hn::Mul(value, power_of_two(first)), power_of_two(second));
+    return hn::Mul(hn::Mul(value, power_of_two_lanes(first)), power_of_two_lanes(second));
 }
 
 /// base^exponent if `wanted`, else 0; bases in [0, 1].
