@@ -144,8 +144,9 @@ Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
     warnings.add_file(path);
     Numbers in(file, text);
     const std::string first = lower(in.line());
-    // The second factor of light became "future use" in 2002.
-    const bool is_of_2002 = first.starts_with("iesna:lm-63-2002");
+    // The second factor of light became "future use" in 2002, and a code of who made it in 2019.
+    const bool has_one_factor =
+        first.starts_with("iesna:lm-63-2002") || first.starts_with("ies:lm-63-2019");
     if (read_labels(in, first)) skip_tilt(in, file, warnings);
     in.count("a number of lamps from 1");
     in.number("lumens of a lamp, or -1", -1, 1e12);
@@ -164,7 +165,7 @@ Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
         in.number((std::string("the opening's ") + side).c_str(), -1e6, 1e6);
     factor *= in.number("a ballast factor above 0", 1e-12, 1e12);
     const double second = in.number("the second light factor above 0", 1e-12, 1e12);
-    if (!is_of_2002) factor *= second;
+    if (!has_one_factor) factor *= second;
     in.number("watts from 0", 0, 1e12);
 
     Photometry web;

@@ -70,6 +70,8 @@ struct Material {
     std::optional<float> d_cutoff;  ///< the product without d is 1 from here on, else 0
     vec3 Tf{1, 1, 1};               ///< transmission filter
     int illum = 2;                  ///< 3 and up: ray-traced reflection
+    /// Kd and its maps are reflectances encoded as in sRGB, for a display [GLTF2]: radiosity decodes them
+    bool is_encoded = false;
     std::vector<Map> map_Ka, map_Kd, map_Ks, map_Ke;
     std::vector<Map> refl;        ///< sphere maps for the reflection component
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]

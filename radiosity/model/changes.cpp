@@ -14,6 +14,8 @@ void change_object(const Change& change, scene::Scene& scene, scene::Object& obj
     } else if (change.what == "Kd") {
         scene::Material own = material;  // others may share the material
         own.Kd = vec3(change.value);
+        own.is_encoded = false;
+        own.map_Kd.clear();
         object.material = scene.materials.size();
         scene.materials.push_back(std::move(own));
     } else if (change.what == "dim") {

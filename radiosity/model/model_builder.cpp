@@ -2,6 +2,7 @@
 
 #include "gw/error.h"
 #include "scene/geometry/weld.h"
+#include "scene/maps/reflectance.h"
 
 #include <fmt/format.h>
 
@@ -145,14 +146,15 @@ void ModelBuilder::leave_out() {
 std::uint32_t ModelBuilder::add_figure(std::uint32_t pixmap) {
     const scene::Object& o = object();
     const scene::Material& m = scene_.materials[o.material];
-    const dvec3 rho(m.Kd), E = o.pixmap.lumen > 0
-                                   ? dvec3(o.pixmap.color) * (o.pixmap.lumen / area_of(surface_))
-                                   : dvec3(o.pixmap.emission.value_or(m.Ke));
+    const dvec3 rho = scene::reflectance_of(m),
+                E = o.pixmap.lumen > 0
+                        ? dvec3(o.pixmap.color) * (o.pixmap.lumen / area_of(surface_))
+                        : dvec3(o.pixmap.emission.value_or(m.Ke));
     for (int c = 0; c < 3; ++c) {
         if (rho[c] > 1)
             fail(fmt::format(
                 "material '{}' reflects {} of the light that falls on it; expected Kd of at most 1",
-                m.name, m.Kd[c]));
+                m.name, rho[c]));
         if (!(E[c] >= 0)) fail(fmt::format("emission is {}; expected 0 or more", E[c]));
     }
     model.figures.push_back({o.name, object_, pixmap, rho, E});

@@ -55,7 +55,7 @@ struct Figure {
     std::string name;          ///< its object's
     std::uint32_t object = 0;  ///< index into Scene::objects
     std::uint32_t pixmap = 0;
-    dvec3 rho{0};  ///< reflectance: the material's Kd
+    dvec3 rho{0};  ///< scene::reflectance_of its material
     dvec3 E{0};    ///< emitted radiant exitance: the pixmap's emission, or the material's Ke
 };
 

@@ -5,6 +5,7 @@
 #include "scene/text/number.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gw::scene {
@@ -24,8 +25,13 @@ double number_in(const JsonValue& table, const char* key, double standard, Range
     return value ? value->number(range) : standard;
 }
 
-/// The exponent that halves the light where glTF's square of a ramp between the cones halves it.
+/// A right angle as exporters write it: in float it is more than in double.
+constexpr double right_angle = pi / 2 + 1e-6;
+
+/// The exponent that halves the light where glTF's square of a ramp between the cones halves it. Cones
+/// without a ramp between them are even.
 float exponent_of(double inner, double outer) {
+    if (inner >= outer) return 0;
     const double middle = cos(outer) + std::sqrt(0.5) * (cos(inner) - cos(outer));
     return float(std::clamp(log(0.5) / log(middle), 0.0, 128.0));
 }
@@ -33,9 +39,9 @@ float exponent_of(double inner, double outer) {
 void read_spot(const JsonValue& table, Light& light) {
     const auto spot = table.find("spot");
     const double outer =
-        spot ? number_in(*spot, "outerConeAngle", pi / 4, {0.001, pi / 2}) : pi / 4;
-    const double inner = spot ? number_in(*spot, "innerConeAngle", 0, {0, pi / 2}) : 0;
-    if (inner >= outer) spot->at("innerConeAngle").fail_expected("less than outerConeAngle");
+        spot ? number_in(*spot, "outerConeAngle", pi / 4, {0.001, right_angle}) : pi / 4;
+    const double inner = spot ? number_in(*spot, "innerConeAngle", 0, {0, right_angle}) : 0;
+    if (inner > outer + 1e-6) spot->at("innerConeAngle").fail_expected("at most outerConeAngle");
     light.cone_angle = std::min(outer * degrees_per_radian, 90.0);
     light.spot_exponent = exponent_of(inner, outer);
 }
@@ -47,13 +53,90 @@ LightKind kind_of(const JsonValue& type) {
     return LightKind::Spot;
 }
 
-/// What arrives at a point that faces the light.
-double at_point(const GltfLight& light, const dvec3& p) {
-    const vec3& I = light.light.Id;
-    const double most = double(std::max({I.x, I.y, I.z}));
-    const dvec3 d = p - light.position;
-    return light.light.kind == LightKind::Directional ? most : most / std::max(dot3(d, d), 1e-12);
+/// What arrives at p on a surface, either side of which may face the light.
+double arriving(const GltfLight& of, const dvec3& p, const dvec3& normal) {
+    const Light& light = of.light;
+    const double most = double(std::max({light.Id.x, light.Id.y, light.Id.z}));
+    if (light.kind == LightKind::Directional)
+        return most * std::abs(dot3(normal, dvec3(light.direction)));
+    const dvec3 d = p - of.position;
+    const double square = std::max(dot3(d, d), 1e-12), distance = std::sqrt(square);
+    const double facing = std::abs(dot3(normal, d)) / distance;
+    if (light.kind == LightKind::Point) return most * facing / square;
+    const double axis = dot3(dvec3(light.direction), d) / distance;
+    if (axis < cos(light.cone_angle / degrees_per_radian)) return 0;
+    return most * facing * pow(axis, double(light.spot_exponent)) / square;
 }
+
+/// A part of a surface and the light on it.
+struct LitPart {
+    double light, weight;
+};
+
+/// The light on a scene's surfaces, in the middles of parts of triangles.
+class LitSurfaces {
+public:
+    LitSurfaces(const Scene& scene, const std::vector<GltfLight>& lights) : lights_(lights) {
+        for_each_triangle(scene,
+                          [&](const Corners&, const dvec3& twice) { area_ += length(twice) / 2; });
+        for_each_triangle(scene, [&](const Corners& at, const dvec3& twice) { add(at, twice); });
+    }
+
+    /// The light beyond which a tenth of the surfaces lies. They count by their area and the root of
+    /// their light: neither a bulb around its lamp nor a dark field decides. 0: none is lit.
+    double bright() {
+        std::sort(parts_.begin(), parts_.end(),
+                  [](const LitPart& a, const LitPart& b) { return a.light > b.light; });
+        double rest = 0;
+        for (const LitPart& part : parts_) rest += part.weight / 10;
+        for (const LitPart& part : parts_)
+            if ((rest -= part.weight) <= 0) return part.light;
+        return 0;
+    }
+
+private:
+    using Corners = std::array<dvec3, 3>;
+    static constexpr double parts_in_all = 4096;
+    static constexpr int most_divisions = 16;
+
+    static void for_each_triangle(const Scene& scene, const auto& visit) {
+        for (const Object& object : scene.objects) {
+            if (object.mesh->kind() != MeshKind::Triangles) continue;
+            const std::vector<vec3>& positions = object.mesh->data().positions;
+            for (const Triangle& t : object.mesh->triangles()) {
+                Corners at;
+                for (std::size_t k = 0; k < 3; ++k)
+                    at[k] =
+                        dvec3(object.world_from_object * dvec4(dvec3(positions[t.vertex[k]]), 1));
+                const dvec3 twice = cross3(at[1] - at[0], at[2] - at[0]);
+                if (length(twice) > 0) visit(at, twice);
+            }
+        }
+    }
+    /// Divides a triangle into n n parts.
+    void add(const Corners& at, const dvec3& twice) {
+        const double area = length(twice) / 2;
+        const int n = int(std::clamp(std::ceil(std::sqrt(parts_in_all * area / area_)), 1.0,
+                                     double(most_divisions)));
+        const dvec3 normal = twice / (2 * area), u = (at[1] - at[0]) / double(n),
+                    v = (at[2] - at[0]) / double(n);
+        const auto add_part = [&](double i, double j) {
+            double light = 0;
+            for (const GltfLight& of : lights_)
+                light += arriving(of, at[0] + u * i + v * j, normal);
+            if (light > 0) parts_.push_back({light, std::sqrt(light) * area / (n * n)});
+        };
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; i + j < n; ++j) {
+                add_part(i + 1 / 3.0, j + 1 / 3.0);
+                if (i + j + 1 < n) add_part(i + 2 / 3.0, j + 2 / 3.0);
+            }
+    }
+
+    const std::vector<GltfLight>& lights_;
+    double area_ = 0;
+    std::vector<LitPart> parts_;
+};
 
 }  // namespace
 
@@ -107,15 +190,13 @@ GltfLight read_gltf_light(const GltfDocument& document, const JsonValue& table,
 }
 
 ExposedLights exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
-                      const dvec3& center) {
-    double sum = 0;
-    for (const GltfLight& light : lights) sum += at_point(light, center);
-    const double divisor = std::max(sum, 1.0);
+                      const Scene& scene) {
+    const double bright = LitSurfaces(scene, lights).bright();
+    const double divisor = std::max(bright, 1.0);
     if (divisor > 1)
-        document.warn("exposure",
-                      "its lights give " + number_text(double(float(sum))) +
-                          " times white in the middle of the scene; expected at most 1, "
-                          "so all are divided by it");
+        document.warn("exposure", "its lights give " + number_text(double(float(bright))) +
+                                      " times white on bright surfaces; expected at most 1, so all "
+                                      "are divided by it");
     ExposedLights out{{}, lights.empty() ? 0 : pi * divisor};
     for (const GltfLight& light : lights) {
         out.lights.push_back(light.light);

@@ -29,10 +29,10 @@ struct ExposedLights {
     double white = 0;  ///< Scene::white, in lux; 0: no lights
 };
 
-/// Encodes the lights' intensities as colours are: pi lux are white. If they give more at `center`, all
-/// are divided by one number first, with a warning, and so many times pi lux are white. Points and
-/// spots keep their candela as Luminous.
+/// Encodes the lights' intensities as colours are: pi lux are white. If bright surfaces of `scene` get
+/// more, all are divided by one number first, with a warning, and so many times pi lux are white.
+/// Points and spots keep their candela as Luminous.
 ExposedLights exposed(const GltfDocument& document, const std::vector<GltfLight>& lights,
-                      const dvec3& center);
+                      const Scene& scene);
 
 }  // namespace gw::scene

@@ -298,8 +298,7 @@ private:
     void add_lights() {
         Scene& scene = builder_.scene;
         const Bounds box = bounds(scene);
-        const dvec3 center = box.low / 2.0 + box.high / 2.0;
-        ExposedLights shown = exposed(document_, lights_, center);
+        ExposedLights shown = exposed(document_, lights_, scene);
         scene.lights = std::move(shown.lights);
         scene.white = shown.white;
         // Beside lights in candela, surfaces emit in the same unit.

@@ -14,7 +14,7 @@ double encoded_number(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
-double decoded(double shown) {
+double decoded_number(double shown) {
     return shown <= 0.04045 ? shown / 12.92 : pow((shown + 0.055) / 1.055, 2.4);
 }
 
@@ -30,6 +30,7 @@ Reflection reflection_of(const Physical& p) {
 
 void set_words(const Physical& p, Material& material) {
     const vec3 base = encoded(p.base);
+    material.is_encoded = true;
     if (p.unlit) {
         material.Ka = material.Kd = material.Ks = vec3(0);
         material.Ke = base;
@@ -48,8 +49,12 @@ vec3 encoded(const dvec3& linear) {
             float(encoded_number(linear.z))};
 }
 
+dvec3 decoded(const dvec3& shown) {
+    return {decoded_number(shown.x), decoded_number(shown.y), decoded_number(shown.z)};
+}
+
 Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) {
-    constexpr double sharpest = 0.01, most_Ns = 10000;
+    constexpr double sharpest = 0.01, most_Ns = 10000, least_seen = 1e-6;
     const double a2 = std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
     const dvec3 peak = F0 / (4 * a2);
     const dvec3 lit = diffuse + peak;
@@ -58,7 +63,9 @@ Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) 
 
     // Where the strongest channel has half its height on the display: GGX is (a2 / root)^2 there.
     const int k = peak.x >= peak.y && peak.x >= peak.z ? 0 : peak.y >= peak.z ? 1 : 2;
-    const double half = decoded(encoded_number(diffuse[k]) + double(out.Ks[k]) / 2) - diffuse[k];
+    if (double(out.Ks[k]) < least_seen) return {};  // its width would be one of rounding errors
+    const double half =
+        decoded_number(encoded_number(diffuse[k]) + double(out.Ks[k]) / 2) - diffuse[k];
     const double root = std::sqrt(half / peak[k]);
     const double cos2 = (1 - a2 / root) / (1 - a2);
     if (a2 < 1 && root > a2) out.Ns = float(std::min(log(0.25) / log(cos2), most_Ns));

@@ -33,6 +33,8 @@ void set_words(const Physical& p, Material& material);
 /// An intensity or reflectance that is proportional to light, as the frame buffer shows it: encoded as
 /// in sRGB, and beyond 1 by the same formula.
 vec3 encoded(const dvec3& linear);
+/// Its reverse.
+dvec3 decoded(const dvec3& shown);
 
 /// Ks and Ns of the lobe that looks, on a display and beside the diffuse part, as high and at half of
 /// its height as wide as GGX seen along the normal: F0 / (4 a2) high, where a2 = roughness^4.

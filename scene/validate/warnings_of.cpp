@@ -47,7 +47,7 @@ std::string without_maps(const Scene& scene) {
         if (!m.map_Kd.empty())
             return "object " + name_in_quotes(scene, i) + " has a map of Kd, " +
                    printable(m.map_Kd[0].file.filename().string()) +
-                   "; radiosity reflects its Kd alone: expected no map";
+                   "; radiosity reflects the mean of its texels everywhere: expected no map";
     }
     return {};
 }

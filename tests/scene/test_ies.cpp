@@ -123,6 +123,7 @@ TEST_F(Ies, VersionsDifferInTheSecondFactor) {
     EXPECT_EQ(read("IESNA91\n" + body).at(0, 0), 5);
     EXPECT_EQ(read("IESNA:LM-63-1995\n" + body).at(0, 0), 5);
     EXPECT_EQ(read("IESNA:LM-63-2002\n" + body).at(0, 0), 10);
+    EXPECT_EQ(read("IES:LM-63-2019\n" + body).at(0, 0), 10);
     EXPECT_EQ(read(body).at(0, 0), 5);  // 1986: no first line
     EXPECT_EQ(read("a lamp of 1986\n" + body).at(0, 0), 5);
 }

@@ -36,6 +36,18 @@ struct Gltf : testing::Test {
             text, R"("scene": 0)",
             R"("scene": 0, "extensions": {"KHR_lights_punctual": {"lights": [)" + light + "]}}"));
     }
+    /// The triangle, and a light at a node of its own.
+    Scene lit_from(const std::string& node, const std::string& light) {
+        std::string text = replaced(triangle_gltf(), R"({"nodes": [0]})", R"({"nodes": [0, 1]})");
+        text = replaced(text, R"("nodes": [{)", R"("nodes": [{)" + std::string("@"));
+        const std::size_t at = text.find('@'), end = text.find('}', at);
+        text.replace(end, 1,
+                     "}, {" + node + R"("extensions": {"KHR_lights_punctual": {"light": 0}}})");
+        text.erase(at, 1);
+        return scene(replaced(
+            text, R"("scene": 0)",
+            R"("scene": 0, "extensions": {"KHR_lights_punctual": {"lights": [)" + light + "]}}"));
+    }
     Strings warnings;
 };
 
@@ -228,7 +240,39 @@ TEST_F(Gltf, LightsBeyondWhiteAreDividedByOneNumber) {
     EXPECT_EQ(
         warnings,
         (Strings{
-            "m.gltf: its lights give 10 times white in the middle of the scene; expected at most 1, so all are divided by it"}));
+            "m.gltf: its lights give 10 times white on bright surfaces; expected at most 1, so all are divided by it"}));
+}
+
+/// The triangle 2 wide and 3 high lies in z = 0: light counts where it falls, not where it is.
+TEST_F(Gltf, WhiteGoesByTheLightOnSurfaces) {
+    const auto white = [&](const std::string& node, const std::string& kind) {
+        const std::string light = "{\"type\": \"" + kind + R"(", "intensity": 31.41592653589793})";
+        return lit_from(node, light).white / std::acos(-1);
+    };
+    EXPECT_NEAR(white("", "directional"), 10, 1e-4);
+    const std::string askew = R"("rotation": [0.5, 0, 0, 0.8660254037844386], )";  // by 60 degrees
+    EXPECT_NEAR(white(askew, "directional"), 5, 1e-4);
+    const std::string above = R"("translation": [0.7, 1, 1], )";
+    const double straight = white(above, "point");  // 10 below the lamp, 1.6 at the far corners
+    EXPECT_GT(straight, 7);
+    EXPECT_LT(straight, 10);
+    EXPECT_GT(white(above, "spot"), 7);
+    const std::string away = R"("rotation": [1, 0, 0, 0], )";
+    EXPECT_EQ(white(away + above, "spot"), 1);
+    // A hand's breadth above the middle of the box, where it would give 1,000 times white.
+    EXPECT_LT(white(R"("translation": [1, 1.5, 0.1], )", "point"), 500);
+}
+
+TEST_F(Gltf, ConesWithoutARampAreEven) {
+    const auto exponent = [&](const std::string& cones) {
+        return lit("", R"({"type": "spot", "spot": {)" + cones + "}}").lights.at(0).spot_exponent;
+    };
+    EXPECT_EQ(exponent(R"("innerConeAngle": 0.5, "outerConeAngle": 0.5)"), 0);
+    EXPECT_GT(exponent(R"("innerConeAngle": 0.3, "outerConeAngle": 0.5)"), 0);
+    const std::string right_in_float = R"("outerConeAngle": 1.5707963705062866)";
+    EXPECT_EQ(
+        lit("", R"({"type": "spot", "spot": {)" + right_in_float + "}}").lights.at(0).cone_angle,
+        90);
 }
 
 /// pi lux are white; at the triangle, 3 cd 5 m away are less.

@@ -121,8 +121,8 @@ TEST(WarningsOf, NameWhatRadiosityLeavesOut) {
     EXPECT_EQ(left_out_by_radiosity(scene),
               (std::vector<std::string>{
                   "object 'ceiling' has opacity 0.5; radiosity takes it as opaque: expected d 1",
-                  "object 'ceiling' has a map of Kd, wood.png; radiosity reflects its Kd alone: "
-                  "expected no map"}));
+                  "object 'ceiling' has a map of Kd, wood.png; radiosity reflects the mean of "
+                  "its texels everywhere: expected no map"}));
 }
 
 TEST(EmptyPicture, IsOneOfTheBackgroundAlone) {
