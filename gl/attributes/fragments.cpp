@@ -74,7 +74,7 @@ void fog(Context& context, GLenum pname, const Params& params) {
         }
         case GL_FOG_COLOR:
             if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
-            return change(context, s.color, params.as_vec4());
+            return change(context, s.color, glm::clamp(params.as_vec4(), 0.0f, 1.0f));
     }
     set_error(context, GL_INVALID_ENUM);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/drawable/sample_counts.h"
+#include "gl/state/free_names.h"
 
 #include <GL/gl.h>
 
@@ -11,7 +12,8 @@ namespace gw::gl {
 
 struct QueryObjects {
     std::map<GLuint, SampleCountRef> named;  ///< null: reserved by GenQueries, no query yet
-    GLuint active = 0;                       ///< 0: none
+    FreeNames free_names;
+    GLuint active = 0;  ///< 0: none
 };
 
 }  // namespace gw::gl

@@ -87,7 +87,7 @@ void draw_to(Context& context, Drawable* to) {
 }
 
 bool is_complete(const Context& context, const FramebufferRef& framebuffer) {
-    return !framebuffer || status_of(*framebuffer, context.profile) == GL_FRAMEBUFFER_COMPLETE;
+    return framebuffer_status(context, framebuffer) == GL_FRAMEBUFFER_COMPLETE;
 }
 
 bool is_complete_or_error(Context& context, const FramebufferRef& framebuffer) {

@@ -101,6 +101,14 @@ void report_ignored(std::string_view variable, std::string_view value, std::stri
 }
 
 void report_refused_context(int major, int minor) {
+    if (major == 1 && minor <= offered_minor()) {
+        std::fprintf(
+            stderr,
+            "gw: a core or forward-compatible context is asked for; OpenGL 1.%d with its fixed "
+            "pipeline is offered; no context is made\n",
+            offered_minor());
+        return;
+    }
     std::fprintf(stderr, "gw: OpenGL %d.%d is asked for; 1.%d is offered; no context is made\n",
                  major, minor, offered_minor());
 }

@@ -8,16 +8,6 @@ namespace gw::gl {
 
 namespace {
 
-template <class Names>
-void generate(Names& named, GLsizei n, GLuint* names) {
-    GLuint name = 1;
-    for (GLsizei i = 0; i < n; ++i) {
-        while (named.contains(name)) ++name;
-        named[name] = nullptr;
-        names[i] = name;
-    }
-}
-
 /// The machine of framebuffer objects is there from the first one on.
 void need_machine(Context& context) {
     const auto lock = context.shared->exclusive();
@@ -67,13 +57,17 @@ namespace execute {
 
 void gen_framebuffers(Context& context, GLsizei n, GLuint* framebuffers) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (framebuffers != nullptr) generate(context.framebuffers.named, n, framebuffers);
+    if (framebuffers == nullptr) return;
+    Framebuffers& f = context.framebuffers;
+    reserve_names(f.named, f.free_names, n, framebuffers);
 }
 
 void gen_renderbuffers(Context& context, GLsizei n, GLuint* renderbuffers) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
+    if (renderbuffers == nullptr) return;
     const auto lock = context.shared->exclusive();
-    if (renderbuffers != nullptr) generate(context.shared->renderbuffers.named, n, renderbuffers);
+    RenderbufferNames& names = context.shared->renderbuffers;
+    reserve_names(names.named, names.free_names, n, renderbuffers);
 }
 
 void delete_framebuffers(Context& context, GLsizei n, const GLuint* framebuffers) {
@@ -87,6 +81,7 @@ void delete_framebuffers(Context& context, GLsizei n, const GLuint* framebuffers
         if (object && object == f.draw) bind_draw_framebuffer(context, nullptr);
         if (object && object == f.read) bind_read_framebuffer(context, nullptr);
         f.named.erase(found);
+        f.free_names.give_back(framebuffers[i]);
     }
 }
 
@@ -105,6 +100,7 @@ void delete_renderbuffers(Context& context, GLsizei n, const GLuint* renderbuffe
                 context.framebuffers.renderbuffer = nullptr;
         }
         named.erase(found);
+        context.shared->renderbuffers.free_names.give_back(renderbuffers[i]);
     }
 }
 

@@ -57,16 +57,6 @@ double name_at(GLenum type, const unsigned char* at) {
 /// GenLists gives no more names at once: each is an entry of a table.
 constexpr GLsizei most_names = 1 << 22;
 
-/// The first of `count` names in a row that are free; 0: there are none.
-GLuint free_names(const ListNames& names, GLuint count) {
-    std::uint64_t first = 1;
-    for (const auto& [name, list] : names.lists) {
-        if (name >= first + count) break;
-        first = std::uint64_t(name) + 1;
-    }
-    return first + count - 1 <= std::numeric_limits<GLuint>::max() ? GLuint(first) : 0;
-}
-
 /// A name without its fraction; 0 for numbers that are none.
 GLuint whole_name(double name) {
     return std::abs(name) < 0x1p32 ? GLuint(static_cast<std::int64_t>(name)) : 0;
@@ -155,9 +145,10 @@ GLuint gen_lists(Context& context, GLsizei range) {
     if (range == 0) return 0;
     if (range > most_names) return set_error(context, GL_OUT_OF_MEMORY), 0;
     const auto lock = context.shared->exclusive();
-    const GLuint first = free_names(context.shared->lists, GLuint(range));
+    ListNames& names = context.shared->lists;
+    const GLuint first = names.free_names.take(names.lists, GLuint(range));
     if (first == 0) return 0;
-    for (GLuint i = 0; i < GLuint(range); ++i) context.shared->lists.lists[first + i] = nullptr;
+    for (GLuint i = 0; i < GLuint(range); ++i) names.lists[first + i] = nullptr;
     return first;
 }
 
@@ -174,6 +165,7 @@ void delete_lists(Context& context, GLuint list, GLsizei range) {
     const auto last =
         end > std::numeric_limits<GLuint>::max() ? lists.end() : lists.lower_bound(GLuint(end));
     lists.erase(lists.lower_bound(list), last);
+    context.shared->lists.free_names.give_back(list);
 }
 
 void list_base(Context& context, GLuint base) { context.state.list.base = base; }

@@ -21,16 +21,20 @@ double load_as(const std::byte* at, bool is_index) {
     return double(value);
 }
 
-/// [GL11] table 4.7: the integer that stands for a number.
+/// [GL11] table 4.7: the integer that stands for a number. Of an index the low bits, but for a sign
+/// (table 4.6).
 template <class T>
 T integer_of(double value, bool is_index) {
     constexpr double low = double(std::numeric_limits<T>::min());
     constexpr double high = double(std::numeric_limits<T>::max());
+    if (is_index)
+        return T(static_cast<std::int64_t>(std::floor(std::clamp(value, -0x1p62, 0x1p62) + 0.5)) &
+                 std::int64_t{std::numeric_limits<T>::max()});
     if constexpr (std::is_unsigned_v<T>) {
-        const double nearest = (is_index ? value : value * high) + 0.5;
+        const double nearest = value * high + 0.5;
         return nearest >= 0 ? T(std::min(nearest, high)) : T(0);  // a cast is a floor here
     }
-    if (!is_index) value = ((2 * high + 1) * value - 1) / 2;
+    value = ((2 * high + 1) * value - 1) / 2;
     return std::isnan(value) ? T(0) : T(std::clamp(std::floor(value + 0.5), low, high));
 }
 

@@ -44,19 +44,17 @@ void gen_queries(Context& context, GLsizei n, GLuint* ids) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (context.queries.active != 0) return set_error(context, GL_INVALID_OPERATION);
     if (ids == nullptr) return;
-    GLuint name = 1;
-    for (GLsizei i = 0; i < n; ++i) {
-        while (context.queries.named.contains(name)) ++name;
-        context.queries.named[name] = nullptr;
-        ids[i] = name;
-    }
+    reserve_names(context.queries.named, context.queries.free_names, n, ids);
 }
 
 void delete_queries(Context& context, GLsizei n, const GLuint* ids) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (context.queries.active != 0) return set_error(context, GL_INVALID_OPERATION);
     if (ids == nullptr) return;
-    for (GLsizei i = 0; i < n; ++i) context.queries.named.erase(ids[i]);
+    for (GLsizei i = 0; i < n; ++i) {
+        context.queries.named.erase(ids[i]);
+        context.queries.free_names.give_back(ids[i]);
+    }
 }
 
 GLboolean is_query(Context& context, GLuint id) {

@@ -67,7 +67,8 @@ std::optional<QueryValues> state_variable(Context& context, GLenum pname);
 /// A value as an integer. [GL11] table 4.7 and 6.1.2
 inline double integer_value(QueryValues::Kind kind, double v) {
     if (kind == QueryValues::Kind::Unit) v = (4294967295.0 * v - 1) / 2;
-    return std::clamp(std::floor(v + 0.5), -2147483648.0, 4294967295.0);
+    const double most = kind == QueryValues::Kind::Whole ? 4294967295.0 : 2147483647.0;  // masks
+    return std::clamp(std::floor(v + 0.5), -2147483648.0, most);
 }
 
 template <class T>

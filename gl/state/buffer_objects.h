@@ -2,6 +2,8 @@
 // GL_ARB_pixel_buffer_object
 #pragma once
 
+#include "gl/state/free_names.h"
+
 #include <GL/gl.h>
 
 #include <cstddef>
@@ -37,6 +39,7 @@ using BufferRef = std::shared_ptr<BufferObject>;
 /// The names of buffers. Contexts may share them. Null: reserved by GenBuffers, not bound yet.
 struct BufferNames {
     std::map<GLuint, BufferRef> named;
+    FreeNames free_names;
 };
 
 /// The name of a binding; 0: none.

@@ -1,6 +1,7 @@
 // Framebuffer and renderbuffer objects as data. GL_ARB_framebuffer_object
 #pragma once
 
+#include "gl/state/free_names.h"
 #include "gl/state/texture_objects.h"
 #include "gw/planes.h"
 
@@ -32,6 +33,7 @@ using RenderbufferRef = std::shared_ptr<Renderbuffer>;
 /// The names of renderbuffers. Contexts may share them. Null: reserved, not bound yet.
 struct RenderbufferNames {
     std::map<GLuint, RenderbufferRef> named;
+    FreeNames free_names;
 };
 
 /// An image that a framebuffer has: a renderbuffer, a texture's, or none.
@@ -60,6 +62,7 @@ using FramebufferRef = std::shared_ptr<Framebuffer>;
 /// while another one is bound.
 struct Framebuffers {
     std::map<GLuint, FramebufferRef> named;  ///< null: reserved, not bound yet
+    FreeNames free_names;
     FramebufferRef draw, read;
     GLenum window_draw_buffer = GL_FRONT, window_read_buffer = GL_FRONT;
     RenderbufferRef renderbuffer;

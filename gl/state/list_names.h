@@ -1,6 +1,8 @@
 // The names of display lists, and the list that is open. [GL11] 5.4
 #pragma once
 
+#include "gl/state/free_names.h"
+
 #include <GL/gl.h>
 
 #include <map>
@@ -17,6 +19,7 @@ inline constexpr int max_list_nesting = 64;
 struct ListNames {
     /// null: reserved by GenLists, empty
     std::map<GLuint, std::shared_ptr<const DisplayList>> lists;
+    FreeNames free_names;
 };
 
 /// The list that NewList opened.

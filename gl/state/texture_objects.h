@@ -1,6 +1,7 @@
 // Texture objects: parameters and images, and the machine's texture that they make. [GL11] 3.8
 #pragma once
 
+#include "gl/state/free_names.h"
 #include "gl/state/state.h"
 #include "gw/planes.h"
 #include "gw/profile.h"
@@ -122,6 +123,7 @@ struct TextureNames {
         std::shared_ptr<TextureObject> object;
     };
     std::map<GLuint, Named> named;
+    FreeNames free_names;
 };
 
 /// The target whose texture a unit has; none: it has none. [GL13] 3.8.15

@@ -165,13 +165,8 @@ void gen_textures(Context& context, GLsizei n, GLuint* textures) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (textures == nullptr) return;
     const auto lock = context.shared->exclusive();
-    auto& named = context.shared->textures.named;
-    GLuint name = 1;
-    for (GLsizei i = 0; i < n; ++i) {
-        while (named.contains(name)) ++name;
-        named[name] = {};
-        textures[i] = name;
-    }
+    TextureNames& names = context.shared->textures;
+    reserve_names(names.named, names.free_names, n, textures);
 }
 
 void delete_textures(Context& context, GLsizei n, const GLuint* textures) {
@@ -187,6 +182,7 @@ void delete_textures(Context& context, GLsizei n, const GLuint* textures) {
         const std::shared_ptr<TextureObject> object = found->second.object;
         if (object) detach(context, [&](const Attachment& a) { return a.texture == object; });
         named.erase(found);
+        context.shared->textures.free_names.give_back(textures[i]);
     }
 }
 

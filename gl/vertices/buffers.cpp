@@ -103,13 +103,8 @@ void gen_buffers(Context& context, GLsizei n, GLuint* buffers) {
     if (n < 0) return set_error(context, GL_INVALID_VALUE);
     if (buffers == nullptr) return;
     const auto lock = context.shared->exclusive();
-    auto& named = context.shared->buffers.named;
-    GLuint name = 1;
-    for (GLsizei i = 0; i < n; ++i) {
-        while (named.contains(name)) ++name;
-        named[name] = nullptr;
-        buffers[i] = name;
-    }
+    BufferNames& names = context.shared->buffers;
+    reserve_names(names.named, names.free_names, n, buffers);
 }
 
 void delete_buffers(Context& context, GLsizei n, const GLuint* buffers) {
@@ -124,6 +119,7 @@ void delete_buffers(Context& context, GLsizei n, const GLuint* buffers) {
             unbind(context, found->second);
         }
         context.shared->buffers.named.erase(found);
+        context.shared->buffers.free_names.give_back(buffers[i]);
     }
 }
 
@@ -252,15 +248,22 @@ GLboolean unmap_buffer(Context& context, GLenum target) {
 void get_buffer_parameteriv(Context& context, GLenum target, GLenum pname, GLint* params) {
     const auto lock = context.shared->exclusive();
     const bool is_known = pname == GL_BUFFER_SIZE || pname == GL_BUFFER_USAGE ||
-                          pname == GL_BUFFER_ACCESS || pname == GL_BUFFER_MAPPED;
+                          pname == GL_BUFFER_ACCESS || pname == GL_BUFFER_MAPPED ||
+                          pname == GL_BUFFER_ACCESS_FLAGS || pname == GL_BUFFER_MAP_OFFSET ||
+                          pname == GL_BUFFER_MAP_LENGTH;
     if (binding_of(context, target) == nullptr || !is_known)
         return set_error(context, GL_INVALID_ENUM);
     const BufferObject* const buffer = bound_buffer(context, target);
     if (buffer == nullptr || params == nullptr) return;
+    const auto size = [](std::size_t bytes) {
+        return GLint(std::min<std::size_t>(bytes, 0x7FFFFFFF));
+    };
+    const BufferObject::Range mapped = buffer->is_mapped ? buffer->mapped : BufferObject::Range{};
     switch (pname) {
-        case GL_BUFFER_SIZE:
-            *params = GLint(std::min(buffer->size, std::size_t(0x7FFFFFFF)));
-            return;
+        case GL_BUFFER_SIZE: *params = size(buffer->size); return;
+        case GL_BUFFER_ACCESS_FLAGS: *params = GLint(mapped.access); return;
+        case GL_BUFFER_MAP_OFFSET: *params = size(mapped.offset); return;
+        case GL_BUFFER_MAP_LENGTH: *params = size(mapped.length); return;
         case GL_BUFFER_USAGE: *params = GLint(buffer->usage); return;
         case GL_BUFFER_ACCESS: *params = GLint(buffer->access); return;
         case GL_BUFFER_MAPPED: *params = buffer->is_mapped ? GL_TRUE : GL_FALSE; return;

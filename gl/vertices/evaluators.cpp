@@ -191,6 +191,7 @@ namespace execute {
 
 void map1(Context& context, GLenum target, double u1, double u2, GLint stride, GLint order,
           const Numbers& points) {
+    if (context.state.texture.active != 0) return set_error(context, GL_INVALID_OPERATION);
     const GLenum error = map_error(is_map1(target), u1 == u2, stride, order, map_size(target));
     if (error != GL_NO_ERROR) return set_error(context, error);
     if (points->empty()) return;
@@ -199,6 +200,7 @@ void map1(Context& context, GLenum target, double u1, double u2, GLint stride, G
 
 void map2(Context& context, GLenum target, double u1, double u2, GLint ustride, GLint uorder,
           double v1, double v2, GLint vstride, GLint vorder, const Numbers& points) {
+    if (context.state.texture.active != 0) return set_error(context, GL_INVALID_OPERATION);
     const int size = map_size(target);
     for (const GLenum error : {map_error(is_map2(target), u1 == u2, ustride, uorder, size),
                                map_error(is_map2(target), v1 == v2, vstride, vorder, size)})

@@ -129,7 +129,8 @@ bool may_be_partial(std::string_view name) {
 }
 
 bool is_error(GLenum error) {
-    return error == GL_NO_ERROR || (error >= GL_INVALID_ENUM && error <= GL_OUT_OF_MEMORY);
+    return error == GL_NO_ERROR ||
+           (error >= GL_INVALID_ENUM && error <= GL_INVALID_FRAMEBUFFER_OPERATION);
 }
 
 void leave_begin() {

@@ -152,4 +152,17 @@ TEST(GlEvaluators, MeshesOfTooManyPointsAreErrors) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
+/// [GL15] 5.1
+TEST(GlEvaluators, MapsAreOfUnit0) {
+    const Window window;
+    glActiveTexture(GL_TEXTURE1);
+    glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 5, curve.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    glMap2f(GL_MAP2_VERTEX_3, 0, 1, 3, 1, 0, 1, 3, 5, curve.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    glActiveTexture(GL_TEXTURE0);
+    glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 5, curve.data());
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+}
+
 }  // namespace gw::gl

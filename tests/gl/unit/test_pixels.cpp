@@ -243,6 +243,9 @@ TEST(GlPixels, DepthAndStencilRectangles) {
     std::array<GLubyte, 4> read{};
     glReadPixels(3, 4, 2, 2, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, read.data());
     EXPECT_EQ(read, (std::array<GLubyte, 4>{1, 2, 254, 255}));
+    std::array<GLbyte, 4> low_bits{};  // without the sign
+    glReadPixels(3, 4, 2, 2, GL_STENCIL_INDEX, GL_BYTE, low_bits.data());
+    EXPECT_EQ(low_bits, (std::array<GLbyte, 4>{1, 2, 126, 127}));
     std::array<GLubyte, 4> high{};
     glReadPixels(3, 4, 2, 2, GL_DEPTH_COMPONENT, GL_UNSIGNED_BYTE, high.data());
     EXPECT_EQ(high, (std::array<GLubyte, 4>{0, 64, 128, 255}));

@@ -345,5 +345,26 @@ TEST(Queries, NameTheProfileAndItsExtensions) {
     EXPECT_NE(renderer.find("vgx"), std::string::npos);
 }
 
+/// Masks wrap, numbers do not. [GL15] 6.1.2
+TEST(GlQueries, IntegersOfNumbersBeyondTheirRangeAreTheNearest) {
+    const Window window;
+    std::array<GLint, 4> read{};
+    glColor4f(1.5f, 1, -2, 0);
+    glGetIntegerv(GL_CURRENT_COLOR, read.data());
+    EXPECT_EQ(read[0], 2147483647);
+    EXPECT_EQ(read[1], 2147483647);
+    glFogf(GL_FOG_END, 3e9f);
+    glGetIntegerv(GL_FOG_END, read.data());
+    EXPECT_EQ(read[0], 2147483647);
+    glStencilMask(0xFFFFFFFF);
+    glGetIntegerv(GL_STENCIL_WRITEMASK, read.data());
+    EXPECT_EQ(read[0], -1);
+    const GLfloat color[] = {2, -1, 0.5f, 7};
+    glFogfv(GL_FOG_COLOR, color);
+    std::array<GLfloat, 4> fog{};
+    glGetFloatv(GL_FOG_COLOR, fog.data());
+    EXPECT_EQ(fog, (std::array<GLfloat, 4>{1, 0, 0.5f, 1}));
+}
+
 }  // namespace
 }  // namespace gw::gl

@@ -1,4 +1,4 @@
-// EGL's devices. EGL_EXT_device_enumeration, EGL_EXT_device_query, EGL_EXT_platform_device
+// EGL's devices, and contexts without a surface. EGL_EXT_device_enumeration, EGL_EXT_device_query, EGL_EXT_platform_device
 #define EGL_EGLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -75,6 +75,39 @@ TEST(EglDevices, AreFoundAndDrawnWith) {
     EXPECT_NE(named<decltype(glGetString)>("glGetString")(GL_VERSION), nullptr);
     eglReleaseThread();
     eglTerminate(of_device);
+}
+
+/// GL_ARB_framebuffer_object, 4.4.4: without a surface there is no framebuffer 0.
+TEST(EglWithoutASurface, DrawingAndReadingAreErrors) {
+    const EGLDisplay display =
+        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
+    ASSERT_TRUE(eglBindAPI(EGL_OPENGL_API));
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    const EGLint list[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    ASSERT_TRUE(eglChooseConfig(display, list, &config, 1, &count));
+    const EGLContext context = eglCreateContext(display, config, nullptr, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(display, nullptr, nullptr, context));
+    std::array<GLubyte, 4> pixel{};
+    const auto error_of = [](const auto& call) {
+        call();
+        return glGetError();
+    };
+    const GLenum wrong = 0x0506;  // GL_INVALID_FRAMEBUFFER_OPERATION
+    EXPECT_EQ(error_of([] { glClear(GL_COLOR_BUFFER_BIT); }), wrong);
+    EXPECT_EQ(error_of([] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, 1, 1, 0); }), wrong);
+    EXPECT_EQ(error_of([&] { glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data()); }),
+              wrong);
+    EXPECT_EQ(error_of([&] { glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data()); }),
+              wrong);
+    EXPECT_EQ(error_of([] {
+                  glBegin(GL_POINTS);
+                  glEnd();
+              }),
+              wrong);
+    eglReleaseThread();
+    eglTerminate(display);
 }
 
 }  // namespace

@@ -25,11 +25,21 @@ TEST(GlBuffers, RangesAreMapped) {
     void* pointer = nullptr;
     glGetBufferPointerv(GL_ARRAY_BUFFER, GL_BUFFER_MAP_POINTER, &pointer);
     EXPECT_EQ(pointer, bytes);
+    const auto parameter = [](GLenum name) {
+        GLint value = -1;
+        glGetBufferParameteriv(GL_ARRAY_BUFFER, name, &value);
+        return value;
+    };
+    EXPECT_EQ(parameter(GL_BUFFER_MAP_OFFSET), 2);
+    EXPECT_EQ(parameter(GL_BUFFER_MAP_LENGTH), 4);
+    EXPECT_EQ(parameter(GL_BUFFER_ACCESS_FLAGS),
+              GL_MAP_WRITE_BIT | GL_MAP_READ_BIT | GL_MAP_FLUSH_EXPLICIT_BIT);
     glFlushMappedBufferRange(GL_ARRAY_BUFFER, 3, 1);
     expect_error(GL_NO_ERROR, "a part of the range");
     glFlushMappedBufferRange(GL_ARRAY_BUFFER, 3, 2);
     expect_error(GL_INVALID_VALUE, "beyond the range");
     EXPECT_EQ(glUnmapBuffer(GL_ARRAY_BUFFER), GL_TRUE);
+    EXPECT_EQ(parameter(GL_BUFFER_MAP_LENGTH), 0);
     std::array<GLubyte, 8> now{};
     glGetBufferSubData(GL_ARRAY_BUFFER, 0, 8, now.data());
     EXPECT_EQ(now, (std::array<GLubyte, 8>{1, 2, 3, 4, 5, 66, 7, 8}));

@@ -252,7 +252,7 @@ Pair fog_or_light_model(Dice& dice) {
         case 2:
             return {{Place::Outside,
                      [=](Model& m) {
-                         m.set(GL_FOG_COLOR, {0.5, v, 0, 2});
+                         m.set(GL_FOG_COLOR, {0.5, clamped_unit(v), 0, 1});  // [GL15] 3.10
                      }},
                     [=] { glFogfv(GL_FOG_COLOR, color.data()); }};
         case 3:
