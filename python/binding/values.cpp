@@ -4,10 +4,44 @@
 #include "gw/texture.h"
 #include "python/binding/arrays.h"
 #include "python/binding/fields.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/module.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace gw::python {
 namespace {
+
+/// NumPy's numbers are doubles as a rule, and the machine's floats.
+void warn_of_rounding(const py::object& object) {
+    const auto wide = array_from<Input<double>>(object, "positions");
+    double largest = 0, low[3] = {}, high[3] = {};
+    for (py::ssize_t i = 0; i < wide.size(); ++i) {
+        const double v = wide.data()[i];
+        const int k = int(i % 3);
+        largest = std::max(largest, std::abs(v - double(float(v))));
+        low[k] = i < 3 ? v : std::min(low[k], v);
+        high[k] = i < 3 ? v : std::max(high[k], v);
+    }
+    const double side = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    if (side == 0 || !(largest * 4096 > side)) return;
+    warn({fmt::format(
+        "positions: float32 moves them by up to {:.3g} in a mesh {:.3g} wide; expected "
+        "coordinates near 0, placed by a matrix (world_from_object)",
+        largest, side)});
+}
+
+/// Bytes are 0 .. 255, as in textures.
+std::vector<vec4> vertex_colors(const py::object& object) {
+    std::vector<vec4> colors = elements_of<vec4, float>(object, 4, "colors");
+    if (object.is_none() || !array_from(object, "colors").dtype().is(py::dtype::of<std::uint8_t>()))
+        return colors;
+    for (vec4& color : colors) color /= 255.0f;
+    return colors;
+}
 
 MeshRef mesh_of(Primitive primitive, const py::object& positions, const py::object& normals,
                 const py::object& texcoords, const py::object& colors, const py::object& indices,
@@ -16,9 +50,10 @@ MeshRef mesh_of(Primitive primitive, const py::object& positions, const py::obje
     MeshData data;
     data.primitive = primitive;
     data.positions = elements_of<vec3, float>(positions, 3, "positions");
+    if (!positions.is_none()) warn_of_rounding(positions);
     data.normals = elements_of<vec3, float>(normals, 3, "normals");
     data.texcoords = elements_of<vec2, float>(texcoords, 2, "texcoords");
-    data.colors = elements_of<vec4, float>(colors, 4, "colors");
+    data.colors = vertex_colors(colors);
     data.indices = whole_numbers_of<std::uint32_t>(indices, "indices");
     data.polygon_sizes = whole_numbers_of<std::uint32_t>(polygon_sizes, "polygon_sizes");
     data.polygon_ids = whole_numbers_of<std::uint32_t>(polygon_ids, "polygon_ids");

@@ -27,6 +27,7 @@ from ._gw import write_file
 __all__ = ["algorithms", "run", "steps", "polygons", "play", "save_player"]
 
 _MARK = "<!-- data -->"
+_MOST_STEPS = 2_000_000  # hiddensurface/interface/steps.h
 
 
 def algorithms() -> dict[str, str]:
@@ -67,6 +68,8 @@ def play(
     header = polygons(scene, width=width, height=height, profile=profile, camera=camera)
     lines = []
     for number, step in enumerate(algorithm(header), 1):
+        if number > _MOST_STEPS:
+            raise Error(f"{name}: step {number} is one too many; expected at most {_MOST_STEPS:,}")
         try:
             lines.append(json.dumps(step))
         except (TypeError, ValueError) as error:

@@ -51,6 +51,7 @@ def picture(plane: NDArray[Any], bits: int = 8, zoom: int = 1) -> Picture:
     plane = np.asarray(plane)
     if plane.ndim == 3 and plane.shape[2] in (3, 4):
         colors = plane[::-1, :, :3]
+        _check_colors(colors, bits)
         if bits == 8:
             return Picture(colors.astype(np.uint8), zoom)
         return Picture((colors.astype(np.uint32) * 65535 // ((1 << bits) - 1)).astype(np.uint16),
@@ -61,6 +62,18 @@ def picture(plane: NDArray[Any], bits: int = 8, zoom: int = 1) -> Picture:
         return Picture(((values - low) * (255 / (high - low or 1))).astype(np.uint8), zoom)
     raise Error(
         f"plane: an array of shape {plane.shape}; expected (height, width, 3 or 4) or (height, width)")
+
+
+def _check_colors(colors: NDArray[Any], bits: int) -> None:
+    if not 1 <= bits <= 16:
+        raise Error(f"bits: {bits}; expected 1 .. 16")
+    if colors.dtype.kind not in "iub":
+        raise Error(f"plane: colours of type {colors.dtype}; expected whole numbers")
+    most = (1 << bits) - 1
+    if colors.size and (colors.min() < 0 or colors.max() > most):
+        raise Error(
+            f"plane: colours from {colors.min()} to {colors.max()}; expected 0 .. {most}, or bits = "
+            "the plane's bits a channel")
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:

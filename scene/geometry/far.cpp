@@ -4,13 +4,13 @@
 #include <cmath>
 
 namespace gw::scene {
-dvec3 far_origin(const Bounds& box) {
+dvec3 far_origin(const Bounds& box, double ratio) {
     double side = 0, farthest = 0;
     for (int k = 0; k < 3; ++k) {
         side = std::max(side, box.high[k] - box.low[k]);
         farthest = std::max({farthest, std::abs(box.low[k]), std::abs(box.high[k])});
     }
-    if (!(side > 0) || !(farthest > far_ratio * side)) return dvec3(0);
+    if (!(side > 0) || !(farthest > ratio * side)) return dvec3(0);
     const double step = std::ldexp(1.0, std::ilogb(side));
     dvec3 origin(0);
     for (int k = 0; k < 3; ++k)

@@ -8,10 +8,12 @@ namespace gw::scene {
 
 /// Coordinates are far from 0 if the largest is more than this many sides of their box.
 inline constexpr double far_ratio = 16;
+/// Beyond this many sides, a part of a scene shows that it is rounded to float32.
+inline constexpr double very_far_ratio = 4096;
 
 /// A point near the middle of a box that lies far from 0; else 0. Its coordinates are multiples of a
 /// power of two.
-dvec3 far_origin(const Bounds& box);
+dvec3 far_origin(const Bounds& box, double ratio = far_ratio);
 
 /// The same for a scene: its vertices, its camera and its lamps.
 dvec3 far_origin(const Scene& scene);

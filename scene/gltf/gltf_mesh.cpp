@@ -74,6 +74,7 @@ public:
         mesh.positions = read_vectors(attributes_.at("POSITION"), 0);
         if (const auto normals = attributes_.find("NORMAL"))
             mesh.normals = read_vectors(*normals, mesh.positions.size());
+        check_normals(mesh.normals);
         read_texcoords(mesh, texcoord_set);
         read_colors();
         read_targets();
@@ -109,6 +110,15 @@ private:
         expect_count(*value, st.count(), mesh.positions.size());
         for (std::size_t i = 0; i < st.count(); ++i)
             mesh.texcoords.emplace_back(st[i][0], 1 - st[i][1]);
+    }
+
+    void check_normals(std::vector<vec3>& normals) {
+        const auto none = std::size_t(std::ranges::count(normals, vec3(0)));
+        if (none == 0) return;
+        const bool is_flat = 2 * none > normals.size();
+        warn("NORMAL", std::to_string(none) + " of its normals have length 0: " +
+                           (is_flat ? "the faces' own normals stand in" : "it is dark there"));
+        if (is_flat) normals.clear();
     }
 
     void read_colors() {

@@ -293,6 +293,28 @@ Bounds box_of_corners(const ObjData& obj) {
     return box;
 }
 
+/// Where most of a file's corners are, of which a few may lie elsewhere, as marks of an origin do:
+/// the box without a sixteenth of them at each end of each axis.
+Bounds box_of_most(const ObjData& obj) {
+    Bounds box{.empty = obj.corners.empty()};
+    const auto end = std::ptrdiff_t(obj.corners.size() / 16);
+    for (int k = 0; k < 3 && !box.empty; ++k) {
+        std::vector<float> along;
+        for (const Corner& corner : obj.corners) along.push_back(obj.positions[corner.v][k]);
+        std::ranges::nth_element(along, along.begin() + end);
+        box.low[k] = double(along[std::size_t(end)]);
+        std::ranges::nth_element(along, along.end() - 1 - end);
+        box.high[k] = double(*(along.end() - 1 - end));
+    }
+    return box;
+}
+
+/// From where positions count: a file far from 0 loses no digits.
+dvec3 origin_of(const ObjData& obj) {
+    const dvec3 origin = far_origin(box_of_corners(obj));
+    return origin != dvec3(0) ? origin : far_origin(box_of_most(obj), very_far_ratio);
+}
+
 }  // namespace
 
 ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings) {
@@ -300,7 +322,7 @@ ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, W
     const std::string text = utf8_of_statements(path.string(), read_text(path));
     ObjReader reader(path, text, dvec3(0), warnings);
     ObjData obj = reader.read();
-    if (const dvec3 origin = far_origin(box_of_corners(obj)); origin != dvec3(0)) {
+    if (const dvec3 origin = origin_of(obj); origin != dvec3(0)) {
         Warnings again;
         obj = ObjReader(path, text, origin, again).read();
     }

@@ -14,6 +14,6 @@ namespace gw::scene {
 /// first such pair. At least one of them has few faces (most_faces_of_small): lamps, panels, decals.
 std::optional<std::pair<std::size_t, std::size_t>> coincident_objects(const Scene& scene);
 
-inline constexpr std::size_t most_faces_of_small = 64;
+inline constexpr std::size_t most_faces_of_small = 1024;
 
 }  // namespace gw::scene

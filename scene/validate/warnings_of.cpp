@@ -1,6 +1,8 @@
 #include "scene/validate/warnings_of.h"
 
 #include "gw/base/arithmetic.h"
+#include "gw/base/elementary.h"
+#include "gw/stages/vertex.h"
 #include "scene/draw/nearest.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
@@ -8,6 +10,7 @@
 #include "scene/validate/shadow_maps.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gw::scene {
 namespace {
@@ -31,6 +34,64 @@ std::string coincident(const Scene& scene) {
            name_in_quotes(scene, pair->second) +
            " share a part of a plane: which of them is seen there depends on rounding; expected "
            "them a little apart";
+}
+
+const Map* picture_of(const Material& m) {
+    for (const auto* maps : {&m.map_Kd, &m.map_Ka, &m.map_Ks, &m.map_Ke, &m.map_d})
+        for (const Map& map : *maps)
+            if (map.texture && !map.file.empty()) return &map;
+    return nullptr;
+}
+
+std::string without_texcoords(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const Map* const map = picture_of(scene.materials[object.material]);
+        if (map && object.mesh->data().texcoords.empty())
+            return "object " + name_in_quotes(scene, i) + " has no texture coordinates for " +
+                   printable(map->file.filename().string()) +
+                   ": one texel of it is everywhere; expected some (vt)";
+    }
+    return {};
+}
+
+/// Whether the ray from p along d, of any length, meets the triangle.
+bool meets(const dvec3& p, const dvec3& d, const std::array<dvec3, 3>& corners) {
+    const dvec3 u = corners[1] - corners[0], v = corners[2] - corners[0], n = cross3(d, v);
+    const double det = dot3(u, n);
+    if (det == 0) return false;
+    const dvec3 from = p - corners[0], m = cross3(from, u);
+    const double a = dot3(from, n) / det, b = dot3(d, m) / det;
+    return a >= 0 && b >= 0 && a + b <= 1 && dot3(v, m) / det > 0;
+}
+
+/// Passes light vertices: a cone between them lights nothing.
+std::string spot_between_vertices(const Scene& scene) {
+    for (const Light& light : scene.lights) {
+        if (light.kind != LightKind::Spot || light.Id == vec3(0)) continue;
+        const dvec3 axis = normalized(dvec3(light.direction)), place(light.position);
+        const double least = cos(light.cone_angle * (pi / 180));
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const Object& object = scene.objects[i];
+            if (!light.only.empty() && !light.only.contains(object.name)) continue;
+            for (const Triangle& t : object.mesh->triangles()) {
+                std::array<dvec3, 3> corners;
+                bool is_lit = false;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const vec3& p = object.mesh->data().positions[t.vertex[k]];
+                    corners[k] = dvec3(object.world_from_object * dvec4(dvec3(p), 1));
+                    is_lit = is_lit || dot3(axis, normalized(corners[k] - place)) >= least;
+                }
+                if (!is_lit && meets(place, axis, corners))
+                    return "object " + name_in_quotes(scene, i) + " has no vertex in the cone of " +
+                           (light.name.empty() ? "a spot"
+                                               : "spot '" + printable(light.name) + "'") +
+                           " that shines on it, and passes light vertices: expected it divided "
+                           "(divide = N), or --renderer raytrace";
+            }
+        }
+    }
+    return {};
 }
 
 std::string opaque_in_radiosity(const Scene& scene) {
@@ -62,6 +123,8 @@ std::vector<std::string> warnings_of(const Scene& scene, const View& view, Drawn
     if (by != DrawnBy::Rays) add(near_warning(scene, view));
     if (by != DrawnBy::Passes) add(lines_and_points(scene));
     if (by == DrawnBy::Passes) add(cut_by_shadow_map(scene));
+    if (by == DrawnBy::Passes) add(spot_between_vertices(scene));
+    add(without_texcoords(scene));
     add(coincident(scene));
     return lines;
 }

@@ -20,7 +20,8 @@ enum class DrawnBy {
 };
 
 /// The lines for this scene and view: objects that the near plane or a light's map cuts off,
-/// coincident objects, lines and points that are left out. Empty: nothing to say.
+/// coincident objects, spots between vertices, maps without
+/// texture coordinates, lines and points that are left out. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
 /// What radiosity leaves out of a scene besides: a line for opacity, one for maps of Kd.

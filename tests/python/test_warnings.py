@@ -98,3 +98,41 @@ def test_warnings_show_names_of_any_bytes(tmp_path):
         out.write("v 4310000 54110000 0\nv 4310001 54110000 0\nv 4310000 54110001 0\nf 1 2 3\n")
     with pytest.warns(UserWarning, match="far.*lies far from 0"):
         gw.Scene.open(os.fsdecode(file))
+
+
+def test_positions_that_lose_digits_are_named():
+    square = np.array([[0, 0, 0], [0.3, 0, 0], [0.3, 0.3, 0], [0, 0.3, 0]])
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        gw.Mesh("Quads", square)
+        gw.Mesh("Points", [[0.9, -0.9, 0]])
+        gw.Mesh("Quads", (square + [431000.1, 5411000.2, 0]).astype(np.float32))
+    with pytest.warns(UserWarning, match="positions: float32 moves them by up to 0.2.* in a mesh 0.3"):
+        gw.Mesh("Quads", square + [431000.1, 5411000.2, 0])
+
+
+def test_bytes_are_colours_from_0_to_255():
+    corners = np.zeros((3, 3))
+    colors = gw.Mesh("Triangles", corners, colors=np.full((3, 4), 128, np.uint8)).colors
+    assert np.allclose(colors, 128 / 255)
+    assert gw.Mesh("Triangles", corners, colors=np.ones((3, 4))).colors.max() == 1
+
+
+def test_pictures_of_planes_of_more_bits_are_refused_or_right():
+    machine = gw.render("scenes/rings.toml", 16, 12, profile="ideal")
+    with pytest.raises(gw.Error, match="expected 0 .. 255, or bits = the plane's bits"):
+        gw.picture(machine.color)
+    assert np.array_equal(gw.picture(machine.color, bits=16).pixels, machine.color[::-1, :, :3])
+    for wrong in (np.full((2, 2, 3), -1), np.full((2, 2, 3), 300), np.ones((2, 2, 3))):
+        with pytest.raises(gw.Error):
+            gw.picture(wrong)
+
+
+def test_an_endless_algorithm_ends(monkeypatch):
+    def endless(header):
+        while True:
+            yield {"kind": "compare"}
+
+    monkeypatch.setattr(gw.hidden, "_MOST_STEPS", 1000)
+    with pytest.raises(gw.Error, match="endless: step 1001 is one too many; expected at most 1,000"):
+        gw.hidden.play(gw.Scene.open("scenes/hidden/cycle.toml"), endless)

@@ -28,6 +28,26 @@ std::vector<dvec3> corners(const SceneFile& file, std::size_t object = 0) {
     return list;
 }
 
+/// A mark of the origin, or any stray face, does not cost the others their digits.
+TEST(FarScenes, KeepTheirDigitsBesideAStrayFace) {
+    const Folder folder;
+    std::string text;
+    for (int i = 0; i < 16; ++i) {
+        std::string one = square(east + 0.3 * i, north);
+        one.replace(one.find("f 1"), std::string::npos, "f -4 -3 -2 -1\n");
+        text += one;
+    }
+    const SceneFile file =
+        read_scene(folder.write("a.obj", text + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"));
+    const std::vector<dvec3> found = corners(file);
+    ASSERT_EQ(found.size(), 16 * 4u + 3);
+    for (int i = 0; i < 16; ++i) {
+        EXPECT_NEAR(found[std::size_t(4 * i)].x, east + 0.3 * i, 1e-5);
+        EXPECT_NEAR(found[std::size_t(4 * i)].y, north, 1e-5);
+    }
+    EXPECT_NEAR(found[64].x, 0, 0.5);  // whole, where it is seen from far away
+}
+
 double largest_coordinate(const Scene& scene) {
     const Bounds b = bounds(scene);
     double most = 0;

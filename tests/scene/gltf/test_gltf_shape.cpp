@@ -100,6 +100,27 @@ const std::string quarter = R"(, "rotation": [0, 0, 0.70710678118654752, 0.70710
 
 }  // namespace
 
+TEST_F(GltfShape, NormalsOfLengthZeroAreTheFaces) {
+    const auto file = [&](const std::vector<float>& normals) {
+        Accessors a;
+        const std::string p = std::to_string(a.vec3s(corners)),
+                          n = std::to_string(a.vec3s(normals));
+        return read(a.file(R"("nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {)"
+                           R"("POSITION": )" +
+                           p + R"(, "NORMAL": )" + n + "}}]}]"));
+    };
+    const SceneFile none = file(std::vector<float>(9));
+    expect_near(dvec3(none.scene.objects.at(0).mesh->data().normals.at(0)), 0, 0, 1);
+    ASSERT_EQ(none.warnings.size(), 1u);
+    EXPECT_NE(
+        none.warnings[0].find("3 of its normals have length 0: the faces' own normals stand in"),
+        std::string::npos)
+        << none.warnings[0];
+    const SceneFile one = file({1, 0, 0, 0, 0, 0, 1, 0, 0});
+    expect_near(dvec3(one.scene.objects.at(0).mesh->data().normals.at(0)), 1, 0, 0);
+    ASSERT_EQ(one.warnings.size(), 1u);
+}
+
 TEST_F(GltfShape, MorphTargetsAddByTheirWeights) {
     const Object o = read(morphed(R"(, "weights": [0.5, 2])", "")).scene.objects.at(0);
     expect_near(vertex(o, 0), 0, 0, 0);

@@ -1,4 +1,5 @@
 // Claims: what a picture cannot show right is said in one line that names the objects.
+#include "scene/draw/nearest.h"
 #include "scene/validate/warnings_of.h"
 
 #include <gtest/gtest.h>
@@ -111,6 +112,50 @@ TEST(WarningsOf, NameWhatIsNotShown) {
     EXPECT_EQ(passes[1], shared);
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Depth).size(), 3u);
     EXPECT_EQ(warnings_of(room(548.7f, true), view, DrawnBy::Depth), Strings());
+}
+
+/// A spot straight down on the middle of a floor lights none of its corners.
+TEST(WarningsOf, NameASpotBetweenVerticesWherePassesDraw) {
+    Scene scene;
+    add_quad(scene, "floor", level(0, 5, false));
+    scene.lights.push_back({.name = "lamp",
+                            .kind = LightKind::Spot,
+                            .position = {0, 3, 0},
+                            .direction = {0, -1, 0},
+                            .cone_angle = 20});
+    const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
+    EXPECT_EQ(
+        warnings_of(scene, view, DrawnBy::Passes),
+        (Strings{"object 'floor' has no vertex in the cone of spot 'lamp' that shines on it, and "
+                 "passes light vertices: expected it divided (divide = N), or --renderer "
+                 "raytrace"}));
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings());
+    scene.lights[0].cone_angle = 70;  // the corners are at 67 degrees
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes), Strings());
+    scene.lights[0].cone_angle = 20;
+    scene.lights[0].direction = {0, 1, 0};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes), Strings());
+    scene.lights[0].direction = {0, -1, 0};
+    scene.lights[0].only = {"wall"};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes), Strings());
+}
+
+TEST(WarningsOf, NameAMapWithoutTextureCoordinates) {
+    Scene scene;
+    add_quad(scene, "floor", level(0, 5, false));
+    const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
+    const std::vector<std::uint16_t> texel(4, 65535);
+    scene.materials[0].map_Kd = {
+        Map{.file = "maps/wood.png", .texture = make_texture("wood", 1, 1, texel)}};
+    for (const DrawnBy by : {DrawnBy::Passes, DrawnBy::Depth, DrawnBy::Rays})
+        EXPECT_EQ(
+            warnings_of(scene, view, by),
+            (Strings{"object 'floor' has no texture coordinates for wood.png: one texel of it "
+                     "is everywhere; expected some (vt)"}));
+    MeshData data = scene.objects[0].mesh->data();
+    data.texcoords.resize(4);
+    scene.objects[0].mesh = make_mesh(data);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings());
 }
 
 TEST(WarningsOf, NameWhatRadiosityLeavesOut) {
