@@ -32,14 +32,16 @@ void draw_multipass(Machine& machine, const scene::Scene& scene, const scene::Vi
 
 void draw_scan_lines(Machine& machine, const scene::Scene& scene, const scene::View& view,
                      const DrawOptions& options) {
-    scene::Scene now = scene;
+    scene::Scene drawn = scene;
+    for (scene::Object& object : drawn.objects) object.glare.reset();
+    scene::Scene now = drawn;
     const auto draw = [&](const multipass::Sample& sample) {
-        multipass::move_to(now, scene, sample);
+        multipass::move_to(now, drawn, sample);
         machine.execute(hiddensurface::scan_line_picture(
             now, multipass::view_at(view, sample), machine.profile(),
             multipass::jitter_of(sample, machine.profile().subpixel_bits)));
     };
-    const int samples = options.multipass.samples;
+    const int samples = std::max(options.multipass.samples, multipass::samples_of(drawn));
     multipass::superpose(
         machine, samples, 0, draw,
         multipass::weights_of(samples, options.multipass.weighted, machine.profile()));
@@ -60,8 +62,20 @@ bool has_effect(const std::string& name, const scene::Scene& scene) {
     if (name == "translucency") return multipass::has_translucent(scene);
     if (name == "fog") return scene.fog.has_value();
     if (name == "glare")
-        return std::any_of(scene.objects.begin(), scene.objects.end(),
-                           [](const scene::Object& object) { return object.glare.has_value(); });
+        return std::ranges::any_of(scene.objects,
+                                   [](const scene::Object& o) { return o.glare.has_value(); });
+    if (name == "motion")
+        return std::ranges::any_of(scene.objects,
+                                   [](const scene::Object& o) { return o.move != dvec3(0); });
+    if (name == "aperture") return scene.camera && scene.camera->aperture > 0;
+    if (name == "soft lights")
+        return std::ranges::any_of(scene.lights, [](const scene::Light& light) {
+            return light.area.shape != scene::AreaLight::Shape::None;
+        });
+    if (name == "shadows")
+        return std::ranges::any_of(scene.lights, [](const scene::Light& light) {
+            return light.shadow != scene::Shadow::None;
+        });
     return !scene.reflection_in_shadow;
 }
 
@@ -73,7 +87,7 @@ const std::vector<Renderer>& renderers() {
          "equation 1, everything in one pass; no shadows",
          draw_hardware,
          multipass::Renderer::Hardware,
-         {"glare", "reflection_in_shadow = false"}},
+         {"shadows", "glare", "reflection_in_shadow = false"}},
         {"multipass",
          "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
          draw_multipass, multipass::Renderer::Multipass},
@@ -81,14 +95,14 @@ const std::vector<Renderer>& renderers() {
          "equation 3 at every pixel of a scan line's spans; no shadows",
          draw_scan_lines,
          {},
-         {"translucency", "fog", "glare", "reflection_in_shadow = false"},
+         {"shadows", "translucency", "fog", "glare", "reflection_in_shadow = false"},
          scene::DrawnBy::Depth},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}, scene::DrawnBy::Rays},
         {"adaptive",
          "one item buffer, and more rays only at pixels that differ from their neighbours",
          draw_adaptive,
          {},
-         {"translucency", "glare"},
+         {"translucency", "motion", "aperture", "soft lights", "glare"},
          scene::DrawnBy::Depth},
     };
     return all;
