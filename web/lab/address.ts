@@ -30,6 +30,7 @@ export function fromLabAddress(
 ): LabState {
   const parts = new URLSearchParams(hash.replace(/^#/, ''));
   const exhibit = exhibits.find(({ id }) => id === parts.get('exhibit')) ?? exhibits[0]!;
+  exhibit.state.complete?.(parts);
   return {
     exhibit: exhibit.id,
     scene: parts.get('scene') ?? exhibit.firstScene,

@@ -20,6 +20,8 @@ export interface ExhibitProps<Choices> {
 /** Choices in the address. */
 export interface ExhibitState<Choices> {
   from(parts: URLSearchParams): Choices;
+  /** Adds what an address of the exhibit leaves out, before anybody reads it. */
+  complete?(parts: URLSearchParams): void;
   put(parts: URLSearchParams, choices: Choices): void;
   /** Drops what belongs to one scene: another one was chosen. */
   forget?(choices: Choices): void;

@@ -2,6 +2,7 @@
 import { known } from '../../model/settings';
 import type { ExhibitState } from '../exhibit/exhibit';
 import type { View } from '../machine/protocol';
+import { stories } from './stories';
 
 export interface HiddenOptions extends View {
   readonly algorithm: string;
@@ -43,6 +44,15 @@ export const hiddenState: ExhibitState<HiddenState> = {
     level: known(parts.get('level'), levels),
     story: namesPicture.some((name) => parts.has(name)) ? (parts.get('story') ?? '') : firstStory,
   }),
+  /** A story that is named without a scene is told from its own picture. */
+  complete(parts) {
+    const story = stories.find(({ id }) => id === parts.get('story'));
+    if (!story || parts.has('scene')) return;
+    parts.set('scene', story.scene);
+    parts.set('algorithm', story.algorithm);
+    parts.set('level', story.level);
+    if (!parts.has('size')) parts.set('size', story.size);
+  },
   put(parts, choices) {
     parts.set('algorithm', choices.algorithms.join(','));
     parts.set('level', choices.level);

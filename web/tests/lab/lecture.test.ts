@@ -29,6 +29,18 @@ const option = (command: string, name: string): string | null =>
 const lectures = ['lecture.md', 'lecture.ja.md'];
 const everyLink = lectures.flatMap((name) => blocksOf(lecture(name)).flatMap((b) => b.links));
 
+/** What the lists of steps say of the steps at which the link opens. */
+const stepsShown = () =>
+  thePage().$$eval('section.pane', (panes) =>
+    panes.map((pane) => {
+      const at = Number(/^\d+/.exec(pane.querySelector('.bar output')!.textContent!)![0]);
+      const row = pane.querySelector('.list button.now');
+      const blamed = pane.querySelector('.blame')?.textContent ?? '';
+      const spoils = new RegExp(`\\D${at}\\D`).test(blamed);
+      return { at, tells: at === 1 || spoils || row?.classList.contains('decisive') };
+    }),
+  );
+
 describe("the lecture's links into the lab", () => {
   it.each(lectures)('%s has one for every command', (name) => {
     const blocks = blocksOf(lecture(name));
@@ -45,6 +57,12 @@ describe("the lecture's links into the lab", () => {
           expect(link.get(key), command).toBe(option(command, key));
       }
     }
+  });
+
+  it('those of the syllabus, too, begin at a step', () => {
+    const links = [...lecture('syllabus.md').matchAll(/#(exhibit=hidden[^)]*)\)/g)];
+    expect(links).not.toHaveLength(0);
+    for (const [, link] of links) expect(link).toContain('&step=');
   });
 
   inChromium();
@@ -70,5 +88,10 @@ describe("the lecture's links into the lab", () => {
     if (wanted.has('algorithm'))
       expect(shown.algorithms).toEqual(wanted.get('algorithm')!.split(','));
     if (wanted.has('samples')) expect(shown.samples).toBe(wanted.get('samples'));
+    if (shown.exhibit !== 'hidden') return;
+    await thePage().waitForSelector('.list button.now');
+    const steps = await stepsShown();
+    expect(steps.map(({ at }) => at).join()).toBe(wanted.get('step'));
+    for (const { at, tells } of steps) expect(tells, `step ${at} decides nothing`).toBe(true);
   });
 });
