@@ -1,6 +1,7 @@
 // Builds the lab as one file: page, worker, WebAssembly and scenes. GW_ENGINE is the folder of
 // engine.js and engine.wasm, GW_SCALAR that of the engine without vectors, GW_SCENES the folder of
-// the scenes, GW_WEB_OUT that of the page.
+// the scenes in the project, GW_WEB_OUT that of the page.
+import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -12,9 +13,16 @@ import { viteSingleFile } from 'vite-plugin-singlefile';
 const engine = process.env.GW_ENGINE ?? '../build/lab/engine';
 const scalar = process.env.GW_SCALAR ?? '../build/lab/scalar';
 const scenes = process.env.GW_SCENES ?? '../scenes';
+const project = resolve(scenes, '..');
 const micropython = 'node_modules/@micropython/micropython-webassembly-pyscript';
 const packed = (bytes: Uint8Array | string): string =>
   gzipSync(bytes, { level: 9 }).toString('base64');
+
+/** Documents that Help shows. */
+const texts = (): string =>
+  execFileSync('/usr/bin/python3', [join(project, 'scripts/site'), '--texts'], {
+    encoding: 'utf8',
+  });
 
 function sceneFiles(): Record<string, string> {
   const names = readdirSync(scenes, { recursive: true })
@@ -70,12 +78,15 @@ function data(): Plugin {
           block('scalar', packed(readFileSync(join(scalar, 'engine.wasm')))) +
           block('editor', scriptText('components/code_editor.ts', 'esm')) +
           block('python', `(async () => {${scriptText('lab/own/python_worker.ts', 'esm')}})()`) +
-          block('micropython', packed(readFileSync(join(micropython, 'micropython.wasm')))),
+          block('micropython', packed(readFileSync(join(micropython, 'micropython.wasm')))) +
+          block('texts', packed(texts())),
       ),
   };
 }
 
-const { version } = JSON.parse(readFileSync('package.json', 'utf8')) as { version: string };
+const version = /^project\(gw VERSION ([\d.]+)/m.exec(
+  readFileSync(join(project, 'CMakeLists.txt'), 'utf8'),
+)![1];
 
 export default defineConfig({
   root: 'lab',

@@ -120,12 +120,9 @@ export function argumentsOf(run: RunFigure, scenes: string, out: string): string
   return ['hidden', scene, ...how, '--quiet', '--steps', out];
 }
 
-/** An exhibit of the lab, which stands beside the page of the articles. */
-export const exhibitLink = (exhibit: string): string => `index.html#exhibit=${exhibit}`;
-
-/** The run in the lab. */
-export function labLink(run: RunFigure): string {
+/** The lab's address of the run, at a step. */
+export function labAddress(run: RunFigure, step: number): string {
   const level = run.level ? `&level=${run.level}` : '';
   const what = `scene=hidden/${run.scene}.toml&algorithm=${run.algorithm}&size=${run.size}`;
-  return exhibitLink(`hidden&${what}${level}`);
+  return `#exhibit=hidden&${what}${level}&step=${step}`;
 }

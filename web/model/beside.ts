@@ -1,3 +1,3 @@
-// Whether the lab and the articles stand in one folder: their scripts then mark both pages, and
-// only marked pages have links to each other.
-export const hasOther = document.documentElement.dataset['beside'] === 'yes';
+// If the lab and the articles stand in one folder, a script (web/link_pages) writes into each the
+// other's name; only then they have links to each other.
+export const other = document.documentElement.dataset['beside'] ?? '';

@@ -116,12 +116,17 @@ export const en = {
   lab_other_scenes: 'Others',
   lab_more: 'More',
   lab_help: 'Help',
-  lab_help_what: 'A graphics workstation of 1991 finds hidden surfaces and adds light by passes.',
-  lab_help_how: 'Choose a tab and a scene. Step, drag the picture to turn it, click a pixel.',
-  lab_help_lecture: 'the lecture',
-  lab_help_manual: 'this page, explained',
-  lab_help_licence: 'licence: MIT',
-  lab_help_version: 'version {0}',
+  lab_help_what:
+    'This page is a graphics workstation of 1991, rebuilt to the bit. It shows how a computer finds out which surfaces are hidden, and how it adds light pass by pass.',
+  lab_help_how:
+    'Each tab is an exhibit. Choose a scene and go step by step. Drag the picture to move the eye; click a pixel to follow it. The address holds all that you see.',
+  lab_help_signs:
+    'Yellow outlines are asked about, broken blue ones are compared with them, pink ones are new. A red card names the steps that painted wrong pixels, each with a button that goes there.',
+  lab_help_lecture: 'The lecture',
+  lab_help_manual: 'This page, explained',
+  lab_help_licence: 'Licence: MIT',
+  lab_help_version: 'Version {0}',
+  lab_help_close: 'Close',
   lab_open_again: '{0} is not kept in this browser; open the file again.',
   lab_stale: 'The picture below is of the last program that ran.',
   lab_title: 'GW lab',

@@ -109,13 +109,18 @@ describe.skipIf(gw === '')('the page', () => {
 
     it('has links to the lab only if it is marked as standing beside it', async () => {
       const links = async (): Promise<string[]> =>
-        pages.page.$$eval('a[href^="index.html"]', (all) => all.map((e) => e.className));
+        pages.page.$$eval('a', (all) =>
+          all.map((e) => e.getAttribute('href')!).filter((link) => link.startsWith('the-lab.html')),
+        );
       await open('article=radiosity&lang=en');
       await pages.page.waitForSelector('figure img');
       expect(await links()).toEqual([]);
       const page = readFileSync(join(out, 'index.html'), 'utf8');
       expect(page).toContain('data-beside=""');
-      writeFileSync(join(out, 'marked.html'), page.replace('data-beside=""', 'data-beside="yes"'));
+      writeFileSync(
+        join(out, 'marked.html'),
+        page.replace('data-beside=""', 'data-beside="the-lab.html"'),
+      );
       await pages.openFile(join(out, 'marked.html'), '#article=radiosity&lang=en');
       await pages.page.waitForSelector('figure img');
       expect((await links()).length).toBeGreaterThan(1);

@@ -44,11 +44,18 @@ export function inChromium(once = false, ...options: string[]): void {
   });
 }
 
-export async function open(hash: string, width = 1280, height = 720): Promise<void> {
+export async function openFile(
+  file: string,
+  hash: string,
+  width = 1280,
+  height = 720,
+): Promise<void> {
   await page.setViewport({ width, height });
-  await page.goto(`file://${lab}${hash}`);
+  await page.goto(`file://${file}${hash}`);
   await page.waitForSelector('header');
 }
+export const open = (hash: string, width?: number, height?: number): Promise<void> =>
+  openFile(lab, hash, width, height);
 
 /** What every exhibit shows, the quiz as well; a program in its frame. */
 export const picture = 'canvas, .question img, .window iframe';
