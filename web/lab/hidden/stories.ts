@@ -57,8 +57,8 @@ export const stories: readonly Story[] = [
       },
       {
         at: 'end',
-        en: 'Done: every pixel is right. Drag the picture to move the eye, choose another algorithm above, or take the next story.',
-        ja: '完成です。どの画素も正しく描かれました。画像をドラッグして視点を動かすか、上で別のアルゴリズムや次の話を選んでください。',
+        en: 'Done: every pixel is right. Drag the picture to move the eye, explore freely with another algorithm, or take the next story.',
+        ja: '完成です。どの画素も正しく描かれました。画像をドラッグして視点を動かすか、「自由に試す」で別のアルゴリズムを選ぶか、次の話に進んでください。',
       },
     ],
   },
@@ -82,8 +82,8 @@ export const stories: readonly Story[] = [
       },
       {
         at: 'end',
-        en: 'Wrong pixels: the red card above names the steps that spoiled them. Turn the eye: from some places the same order is right.',
-        ja: '誤った画素があります。上の赤い枠に、それを描いたステップがあります。視点を動かすと、同じ順序が正しい場所もあります。',
+        en: 'Wrong pixels: the red card below names the steps that spoiled them. Turn the eye: from some places the same order is right.',
+        ja: '誤った画素があります。下の赤い枠に、それを描いたステップがあります。視点を動かすと、同じ順序が正しい場所もあります。',
       },
     ],
   },
@@ -184,9 +184,15 @@ export const stories: readonly Story[] = [
   },
 ];
 
+export interface StageAt {
+  /** Steps done. */
+  readonly at: number;
+  readonly stage: Stage;
+}
+
 /** By stage the steps done; stages whose step the log does not have are left out. */
-export function stagesIn(story: Story, steps: readonly Step[]): { at: number; stage: Stage }[] {
-  const found: { at: number; stage: Stage }[] = [];
+export function stagesIn(story: Story, steps: readonly Step[]): StageAt[] {
+  const found: StageAt[] = [];
   let from = 0;
   for (const stage of story.stages) {
     const [test, answer] = stage.at.split('.');
@@ -199,3 +205,10 @@ export function stagesIn(story: Story, steps: readonly Step[]): { at: number; st
   }
   return found;
 }
+
+/** The place of the stage that has been reached. */
+export const stageAt = (stages: readonly StageAt[], position: number): number =>
+  Math.max(
+    0,
+    stages.findLastIndex(({ at }) => at <= position),
+  );

@@ -85,13 +85,18 @@ it('refuses a run that would take too long, and goes on', async () => {
   await thePage().waitForSelector('.stack');
 });
 
-it('fits a phone, in Japanese', async () => {
-  await open('#lang=ja&size=160x120', 390, 800);
+it.each([
+  ['en', 'story=first', 'Hidden surfaces'],
+  ['en', 'exhibit=hidden', 'Hidden surfaces'],
+  ['ja', 'story=first', '隠面消去'],
+  ['ja', 'exhibit=hidden', '隠面消去'],
+])('fits a phone, in %s, with %s', async (language, address, title) => {
+  await open(`#lang=${language}&${address}&size=160x120`, 390, 844);
   await thePage().waitForSelector('.stack');
   const [content, screen] = await thePage().evaluate(() => [
     document.documentElement.scrollWidth,
     window.innerWidth,
   ]);
   expect(content).toBeLessThanOrEqual(screen!);
-  expect(await thePage().$eval('.exhibit', (e) => e.textContent)).toBe('隠面消去');
+  expect(await thePage().$eval('.exhibit', (e) => e.textContent)).toBe(title);
 });

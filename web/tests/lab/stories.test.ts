@@ -21,6 +21,7 @@ describe.each(['en', 'ja'] as const)('in %s', (language) => {
     expect(await told()).toBe(story.stages[0]![language]);
     expect(await output()).toMatch(/^0 /);
     for (const stage of story.stages.slice(1)) {
+      expect(await thePage().$('.blame')).toBeNull();
       await thePage().click('.story-next');
       await thePage().waitForFunction(
         (text) => document.querySelector('.story p')?.textContent === text,
@@ -29,5 +30,35 @@ describe.each(['en', 'ja'] as const)('in %s', (language) => {
       );
     }
     expect(await output()).toMatch(/^(\d+) \S+ \1$/);
+    expect((await thePage().$('.blame')) !== null).toBe(story.id === 'painter');
   });
+});
+
+it('has one button to press, which the right arrow key presses too', async () => {
+  await open('#story=first&lang=en');
+  await thePage().waitForSelector('.stack canvas');
+  const primary = await thePage().$$eval('button.primary', (all) => all.map((e) => e.className));
+  expect(primary).toHaveLength(1);
+  expect(primary[0]).toContain('story-next');
+  expect(await thePage().$('select.algorithm')).toBeNull();
+  const { stages } = stories[0]!;
+  for (const [key, place] of [
+    ['ArrowRight', 1],
+    ['ArrowRight', 2],
+    ['ArrowRight', 3],
+    ['ArrowLeft', 2],
+  ] as const) {
+    await thePage().keyboard.press(key);
+    expect(await told()).toBe(stages[place]!.en);
+  }
+  // One step further is not yet a stage: its words are fainter, and back is to the stage.
+  const at = await output();
+  await thePage().click('.bar .next');
+  expect(await output()).not.toBe(at);
+  await thePage().waitForSelector('.story p.faint');
+  await thePage().keyboard.press('ArrowLeft');
+  expect(await output()).toBe(at);
+  await thePage().$$eval('.story button', (all) => all.at(-1)!.click());
+  await thePage().waitForSelector('select.algorithm');
+  await thePage().waitForSelector('.bar .next.primary');
 });
