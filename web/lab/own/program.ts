@@ -34,10 +34,19 @@ export class ProgramError extends Error {
   }
 }
 
-/** Ends the worker of a script when it has said its steps or an error, or after so many seconds. */
-function said(address: string, task: unknown, seconds: number): Promise<Program> {
+/** How long a program may run, and what ends it earlier. */
+export interface Limits {
+  readonly seconds: number;
+  readonly ended: AbortSignal;
+}
+
+/** Ends the worker of a script when it has said its steps or an error, or at its limits. */
+function said(address: string, task: unknown, { seconds, ended }: Limits): Promise<Program> {
   const worker = new Worker(address);
   return new Promise<Program>((done, failed) => {
+    const end = (): void => failed(ended.reason as Error);
+    if (ended.aborted) end();
+    ended.addEventListener('abort', end);
     const timer = setTimeout(
       () => failed(new ProgramError(`no end after ${seconds} s`, 0)),
       seconds * 1000,
@@ -74,12 +83,12 @@ export function runProgram(
   language: Language,
   text: string,
   polygons: string,
-  seconds: number,
+  limits: Limits,
 ): Promise<Program> {
   if (language === 'python') {
     const task: PythonTask = { text, polygons, module: textOf('micropython') };
-    return said(scriptAddress('python'), task, seconds);
+    return said(scriptAddress('python'), task, limits);
   }
   const source = `${before(polygons.replaceAll('\n', ' '))}${text}\n;self.postMessage({ steps: stepsSaid });`;
-  return said(addressOf(source), undefined, seconds);
+  return said(addressOf(source), undefined, limits);
 }

@@ -111,3 +111,53 @@ it('takes a dictionary as a step of Python', async () => {
   await beginPython('step({"kind": "draw"}, pieces=["98"])\n');
   expect(await complaint()).toContain("step:1: unknown polygon '98'");
 });
+
+it('says that a program runs, stops it, and marks what is left as old', async () => {
+  await open(page);
+  await grade();
+  await thePage().waitForSelector('.blame');
+  await thePage().click('.cm-content');
+  await thePage().keyboard.type('while (true);');
+  await thePage().waitForSelector('button.stop');
+  expect(await thePage().$('.grade')).toBeNull();
+  expect(await thePage().$('.blame')).toBeNull();
+  await thePage().click('button.stop');
+  expect(await complaint()).toBe('Stopped.');
+  expect(await thePage().$('button.stop')).toBeNull();
+  await thePage().waitForSelector('.old canvas');
+});
+
+it('ends the run before when another one begins', async () => {
+  await begin('while (true) {}\n');
+  await thePage().waitForSelector('button.stop');
+  await thePage().select('select.example', 'z-buffer');
+  await thePage().click('button.run');
+  await thePage().waitForSelector('.grade.right', { timeout: 3_000 }); // its own end is after 5 s
+  expect(await thePage().$('.old')).toBeNull();
+});
+
+it.each([
+  [1280, 720],
+  [1920, 1080],
+])('shows program, picture and controls together at %i x %i', async (width, height) => {
+  await open('#lang=en&exhibit=own', width, height);
+  await thePage().waitForSelector('.blame');
+  await thePage().waitForFunction(
+    () => document.querySelector('.bar')!.getBoundingClientRect().bottom <= innerHeight,
+  );
+  const eye = (await (await thePage().$('.stack'))!.boundingBox())!;
+  const second = (await (await thePage().$('.second'))!.boundingBox())!;
+  expect(eye.width).toBeGreaterThan(320);
+  expect(second.width).toBeLessThan(1.5 * eye.width);
+});
+
+it('has no raw signs in its words', async () => {
+  await open(page);
+  await grade();
+  const words = await thePage().$eval('main', (e) => e.textContent!);
+  expect(words).not.toMatch(/`scene|played/);
+  expect(await thePage().$$eval('.look code', (all) => all.map((e) => e.textContent))).toEqual([
+    'scene',
+    'step(...)',
+  ]);
+});
