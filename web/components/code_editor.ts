@@ -54,7 +54,8 @@ export function codeEditor(
       syntaxHighlighting(classHighlighter),
       ground.of(groundOf(false)),
       marked,
-      EditorView.contentAttributes.of({ 'aria-label': label }),
+      // A text that Tab reaches can be scrolled by keys.
+      EditorView.contentAttributes.of({ 'aria-label': label, tabindex: '0' }),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) onchange(update.state.doc.toString());
       }),
