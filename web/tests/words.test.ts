@@ -4,6 +4,7 @@ import { en } from '../words/en';
 import { ja } from '../words/ja';
 import { articleWords } from '../words/articles';
 import { quizWords } from '../words/quiz';
+import { titledAlgorithms, titleOf } from '../words/titles';
 
 const sources = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'quiz', 'report']
   .flatMap((folder) =>
@@ -37,4 +38,15 @@ it('uses every word of a quiz', () => {
   expect(Object.keys(quizWords.ja)).toEqual(Object.keys(quizWords.en));
   for (const name of Object.keys(quizWords.en))
     expect(new RegExp(`(quiz|words|\\])\\.${name}\\b`).test(sources), name).toBe(true);
+});
+
+it('shows titles without the codes of a lecture, and a title of a student as it is', () => {
+  const title = 'Newell, Newell and Sancha: five tests and splitting [L5]';
+  expect(titleOf('newell', title, 'en')).toBe(
+    'Newell, Newell and Sancha: five tests and splitting',
+  );
+  for (const name of titledAlgorithms)
+    for (const language of ['en', 'ja'] as const)
+      expect(titleOf(name, title, language), name).not.toMatch(/\[L\d/);
+  expect(titleOf('mine', 'Mine [1] of L5', 'ja')).toBe('Mine [1] of L5');
 });

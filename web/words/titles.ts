@@ -2,15 +2,15 @@
 import type { Language } from './language';
 
 const japanese: Readonly<Record<string, string>> = {
-  'back-face': '裏を向いた面の除去だけ [L3]',
-  'painter-farthest': '画家のアルゴリズム、最も遠い頂点の順 [L5]',
-  'painter-nearest': '画家のアルゴリズム、最も近い頂点の順 [L5]',
-  'painter-centroid': '画家のアルゴリズム、重心の順 [L5]',
-  newell: 'Newell、Newell、Sancha：五つの判定と分割 [L5]',
-  bsp: '視点を決める前に作る BSP 木 [L5]',
-  'scan-line': '走査線法：辺、x でソートした線分、サンプルスパン [L6]',
-  'z-buffer': 'マシンの Zバッファ [L8]',
-  'ray-casting': 'レイキャスティング：すべての光線とすべてのポリゴン [L9]',
+  'back-face': '裏を向いた面の除去だけ',
+  'painter-farthest': '画家のアルゴリズム、最も遠い頂点の順',
+  'painter-nearest': '画家のアルゴリズム、最も近い頂点の順',
+  'painter-centroid': '画家のアルゴリズム、重心の順',
+  newell: 'Newell、Newell、Sancha：五つの判定と分割',
+  bsp: '視点を決める前に作る BSP 木',
+  'scan-line': '走査線法：辺、x でソートした線分、サンプルスパン',
+  'z-buffer': 'マシンの Zバッファ',
+  'ray-casting': 'レイキャスティング：すべての光線とすべてのポリゴン',
   schumacker: 'Schumacker のクラスタ：どの視点でも成り立つ優先順位 (1969)',
   warnock: 'Warnock の領域分割 (1969)',
   bouknight: 'Bouknight の走査線法：辺が面のオン・オフを切り替える (1970)',
@@ -25,9 +25,13 @@ const japanese: Readonly<Record<string, string>> = {
   'floating-horizon': '浮動水平線 (Williamson 1972、Wright 1973)',
 };
 
-/** A student's own algorithm keeps the title that it has. */
+/**
+ * A student's own algorithm keeps the title that it has. The code of a lecture's row stays away:
+ * few readers have that lecture.
+ */
 export function titleOf(algorithm: string, title: string, language: Language): string {
-  return language === 'ja' ? (japanese[algorithm] ?? title) : title;
+  const plain = title.replace(/ \[L\d+\]$/, '');
+  return language === 'ja' ? (japanese[algorithm] ?? plain) : plain;
 }
 
 export const titledAlgorithms: readonly string[] = Object.keys(japanese);

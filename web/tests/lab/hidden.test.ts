@@ -17,6 +17,14 @@ it('runs an algorithm and follows the keys', async () => {
   expect(await output()).toBe(`1 of ${all}`);
 });
 
+it.each(['en', 'ja'])('shows no codes of a lecture, in %s', async (language) => {
+  await open(`#lang=${language}&exhibit=hidden&algorithm=newell,z-buffer&size=64x48`);
+  await thePage().waitForSelector('.stack');
+  expect(await thePage().$$eval('option', (all) => all.length)).toBeGreaterThan(40);
+  expect(await thePage().$eval('body', (e) => e.innerText)).not.toMatch(/\[L\d/);
+  expect(await thePage().$eval('select.algorithm', (e) => e.textContent)).not.toMatch(/\[L\d/);
+});
+
 it('begins the machine while the page is still read', async () => {
   await thePage().evaluateOnNewDocument(() => {
     const begun: boolean[] = [];
