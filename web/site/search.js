@@ -1,4 +1,5 @@
-// The search of the site: sections that have all words, those with a word in the heading first.
+// The search of the site: sections that have all words. First those with a word in the heading,
+// among them the articles; then those that have the words most often.
 // `pages` is made by scripts/site: [address, heading, text] of each section.
 'use strict';
 
@@ -11,9 +12,12 @@ function search(pages, question) {
     const all = head + ' ' + text.toLowerCase();
     if (!words.every((word) => all.includes(word))) continue;
     const hits = words.filter((word) => head.includes(word)).length;
-    found.push({ address, heading, text, hits });
+    const times = words.reduce((sum, word) => sum + all.split(word).length - 1, 0);
+    const isArticle = Number(address.startsWith('articles.html'));
+    found.push({ address, heading, text, rank: [hits, isArticle, times] });
   }
-  return found.sort((a, b) => b.hits - a.hits).slice(0, 20);
+  const before = (a, b) => b[0] - a[0] || b[1] - a[1] || b[2] - a[2];
+  return found.sort((a, b) => before(a.rank, b.rank)).slice(0, 20);
 }
 
 if (typeof document !== 'undefined') {
@@ -39,4 +43,3 @@ if (typeof document !== 'undefined') {
     });
   });
 }
-if (typeof module !== 'undefined') module.exports = { search };

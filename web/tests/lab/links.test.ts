@@ -85,17 +85,39 @@ it('leads to the articles that stand beside it by the names of a release', async
   expect(readFileSync(other, 'utf8')).toContain('data-beside="gw-0.1.0-lab.html"');
 });
 
-it.each(['en', 'ja'])('leads to the pages of the site, in %s', async (language) => {
-  const site = join(folder, `site-${language}`);
+function madeSite(): string {
+  const site = join(folder, 'site');
   const other = join(folder, 'articles.html');
   writeFileSync(other, articles);
   execFileSync('/usr/bin/python3', [
     join(project, 'scripts/site'),
     ...[site, resolve(lab), other, programs],
   ]);
+  return site;
+}
+
+it.each(['en', 'ja'])('leads to the pages of the site, in %s', async (language) => {
+  const site = madeSite();
   const file = join(site, 'lab.html');
   const links = await linksOf(file, `#lang=${language}`);
   const lecture = language === 'ja' ? 'docs/lecture.ja.html' : 'docs/lecture.html';
   expect(links).toEqual(['docs/lab.html', lecture, 'articles.html']);
   expectFiles(file, links);
+});
+
+it("finds an article of the site before a contributor's page", async () => {
+  await thePage().goto(`file://${madeSite()}/index.html`);
+  const found = async (words: string): Promise<string[]> => {
+    await thePage().$eval(
+      '.site input',
+      (e, text) => ((e as HTMLInputElement).value = text),
+      words,
+    );
+    await thePage().$eval('.site input', (e) => e.dispatchEvent(new Event('input')));
+    return thePage().$$eval('.found a', (all) => all.map((e) => e.getAttribute('href')!));
+  };
+  const stencil = await found('stencil');
+  expect(stencil[0]).toBe('articles.html#article=stencil-shadows&lang=en');
+  expect(stencil.slice(0, 10).filter((link) => link.startsWith('CONTRIBUTING'))).toEqual([]);
+  expect((await found('ステンシル'))[0]).toContain('articles.html#article=');
 });
