@@ -30,6 +30,7 @@ selective.toml | Lamps that light one object each | 物体ごとのランプ
 panes.toml | Panes that intersect | 交わる板ガラス
 lamps.toml | A building with 100 lamps | 百のランプの建物
 focus.toml | Depth of field | 被写界深度
+planets.toml | A film: a planet turns and circles | 映像：自転し、公転する惑星
 motion.toml | Motion blur | 動きのぼけ
 edges.toml | Edges of every direction | あらゆる向きの辺
 penumbra.toml | Little but a soft shadow | ほぼ半影だけ
@@ -45,8 +46,21 @@ radiosity/cornell.toml | The Cornell box | コーネルボックス
 radiosity/room.toml | A room | 部屋
 radiosity/corridor.toml | A corridor | 廊下
 radiosity/mirror.toml | A room with a mirror | 鏡のある部屋
+radiosity/office.toml | An office, its lamps in lumen | オフィス、光源はルーメン単位
 radiosity/sphere.toml | Inside a sphere | 球の内側
 cornell.toml | The Cornell box, without radiosity | コーネルボックス、ラジオシティなし
+# Models alone | モデルだけ
+hidden/cycle.obj | Three triangles in a cycle | 循環する三枚の三角形
+hidden/five.obj | Five polygons, one of them a wedge | くさびを含む五枚のポリゴン
+hidden/ten.obj | Ten faces, large and small | 大小十枚の面
+hidden/centroid_fails.obj | A long rectangle and two small ones | 長い長方形と小さな二枚
+hidden/two_undecidable.obj | A concave U and a bar across its arms | 凹んだ U 字とその腕を横切る棒
+hidden/pierce.obj | Two rectangles that pierce each other | 貫き合う二枚の長方形
+hidden/pinwheel.obj | Four bars in a pinwheel | 風車の形の四本の棒
+hidden/three_bars.obj | Three bars, each over the next | 順に重なる三本の棒
+models/cornell.obj | The Cornell box as it was measured | 実測のコーネルボックス
+models/tumbler.obj | A tumbler with water | 水の入ったタンブラー
+radiosity/corridor.obj | A corridor with a corner | 曲がった廊下
 `;
 
 interface Bilingual {
@@ -83,8 +97,3 @@ export function grouped(names: readonly string[], language: Language, rest: stri
   const others = names.filter((name) => !known.has(name)).map((name) => ({ name, line: '' }));
   return [...found, { title: rest, scenes: others }].filter(({ scenes }) => scenes.length > 0);
 }
-
-/** Of the scenes that have a line. */
-export const namedScenes: readonly string[] = groups.flatMap(({ scenes }) =>
-  scenes.map(({ name }) => name),
-);

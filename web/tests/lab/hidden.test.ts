@@ -108,3 +108,38 @@ it.each([
   expect(content).toBeLessThanOrEqual(screen!);
   expect(await thePage().$eval('.exhibit', (e) => e.textContent)).toBe(title);
 });
+
+it.each(['en', 'ja'])('has a line and a group for every scene, in %s', async (language) => {
+  await open(`#lang=${language}&exhibit=hidden&size=64x48`);
+  await thePage().waitForSelector('.stack');
+  const scenes = await thePage().$$eval('select.scene option', (all) =>
+    all.map((e) => ({ line: e.textContent!, name: (e as HTMLOptionElement).value })),
+  );
+  expect(scenes.length).toBeGreaterThan(50);
+  expect(scenes.filter(({ line, name }) => line === name && !name.startsWith('own/'))).toEqual([]);
+});
+
+it('says that no pixel differs instead of showing it', async () => {
+  const difference = () => thePage().$eval('details[open] > div > p', (e) => e.textContent);
+  await open('#lang=en&exhibit=hidden&scene=hidden/cycle.toml&algorithm=newell&size=64x48');
+  await thePage().waitForSelector('.stack');
+  expect(await difference()).toBe('No pixel differs.');
+  await open(
+    '#lang=en&exhibit=hidden&scene=hidden/centroid_fails.toml&algorithm=painter-farthest&size=64x48',
+  );
+  await thePage().waitForSelector('details[open] > div > canvas');
+});
+
+it('has words beside the signs of the controls if there is room', async () => {
+  const words = () =>
+    thePage().$eval('.bar', (e) => (e as HTMLElement).innerText.replace(/\s+/g, ' '));
+  await open('#lang=en&exhibit=hidden&size=64x48', 1920, 1080);
+  await thePage().waitForSelector('.bar');
+  expect(await words()).toMatch(/Start Decisive Back Play Next Decisive End/);
+  await thePage().setViewport({ width: 1280, height: 720 });
+  expect(await words()).not.toContain('Decisive');
+  const names = await thePage().$$eval('.bar button', (all) =>
+    all.map((e) => e.getAttribute('aria-label') ?? e.textContent),
+  );
+  expect(names.every((name) => name)).toBe(true);
+});
