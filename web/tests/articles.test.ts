@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { runs } from '../articles/figures';
+import { labAddress, runs } from '../articles/figures';
 import { films } from '../articles/films';
 import { isRight } from '../articles/grade';
 import { linesOf, lineOf, readArticle, type ArticleText, type Part } from '../articles/markup';
@@ -296,4 +296,13 @@ describe('an answer', () => {
   ])('%s for %s is right: %s', (given, wanted, right) => {
     expect(isRight(given, wanted)).toBe(right);
   });
+});
+
+it('leads to its run in the lab, at the step that is shown', () => {
+  for (const run of Object.values(runs)) {
+    const parts = new URLSearchParams(labAddress(run, 7).slice(1));
+    expect(parts.get('exhibit')).toBe('hidden');
+    expect(parts.get('scene')).toBe(`hidden/${run.scene}.toml`);
+    expect(parts.get('step')).toBe('7');
+  }
 });

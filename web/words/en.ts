@@ -14,6 +14,7 @@ export const en = {
   short_first: 'Start',
   short_decisive: 'Decisive',
   short_back: 'Back',
+  short_forward: 'Step',
   short_last: 'End',
   decisive_back: 'Decisive step before',
   decisive_forward: 'Next decisive step',

@@ -15,6 +15,7 @@ export const ja: Words = {
   short_first: '最初',
   short_decisive: '決め手',
   short_back: '戻る',
+  short_forward: '1ステップ',
   short_last: '最後',
   decisive_back: '前の決め手へ',
   decisive_forward: '次の決め手へ',
