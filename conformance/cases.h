@@ -68,11 +68,15 @@ Case mesh_case(Random& random);
 Case offset_case(Random& random);
 Case outlines_case(Random& random);
 Case polygons_case(Random& random);
+Case r_rules_case(Random& random);
+Case sample_rules_case(Random& random);
 Case smooth_case(Random& random);
 Case state_rules_case(Random& random);
+Case sum_rules_case(Random& random);
 Case surface_rules_case(Random& random);
 Case texels_case(Random& random);
 Case ties_case(Random& random);
 Case vertex_rules_case(Random& random);
+Case volume_rules_case(Random& random);
 
 }  // namespace gw::conformance

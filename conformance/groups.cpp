@@ -148,6 +148,14 @@ const std::vector<Group>& all_groups() {
          indices_case, 24, color, {&C::texels, &C::pixels, &C::written}},
         {"write-bits", "some bits of channels written by every command that writes colours", "R12.19",
          write_bits_case, 24, color, {&C::alpha_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
+        {"r-rules", "depths and directions where two texels meet", "R10.18 R10.40-R10.43",
+         r_rules_case, 2},
+        {"volume-rules", "every filter of three dimensions", "R10.38 R10.45 R14.6",
+         volume_rules_case, 2},
+        {"sum-rules", "secondary colours under each colour source, fractions multiplied", "R8.13 R13.8 R13.12",
+         sum_rules_case, 2},
+        {"sample-rules", "lines, stipples and queries on samples, blits to them, borders of surfaces", "R9.20 R10.40 R16.5 R16.6 R16.8 R17.2 R17.6 R17.7",
+         sample_rules_case, 6},
     };
     return all;
 }
