@@ -14,6 +14,7 @@ Case buffers_case(Random& random);
 Case clip_case(Random& random);
 Case clip_control_case(Random& random);
 Case coincident_case(Random& random);
+Case crossed_samples_case(Random& random);
 Case cubes_case(Random& random);
 Case depth_case(Random& random);
 Case depth_textures_case(Random& random);

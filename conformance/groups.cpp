@@ -156,6 +156,8 @@ const std::vector<Group>& all_groups() {
          sum_rules_case, 2},
         {"sample-rules", "lines, stipples and queries on samples, blits to them, borders of surfaces", "R9.20 R10.40 R16.5 R16.6 R16.8 R17.2 R17.6 R17.7",
          sample_rules_case, 6},
+        {"crossed-samples", "samples and surfaces crossed with all other stages", "R17.1-R17.7 R16.1-R16.10 R10.37",
+         crossed_samples_case, 24, color | depth | stencil, {&C::clipped, &C::culled, &C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
     };
     return all;
 }
