@@ -187,10 +187,8 @@ TEST(ManualWithR, SeamlessCubes) {
     EXPECT_EQ(cube_red({1, 0.96875f, 0.96875f}, s, 1), 0);
 }
 
-// [R10.38] [R10.43]
-TEST(ManualWithR, CubesHaveLevels) {
-    // A cube of 4 x 4, levels red 0, 100, 200. A square of 8 pixels sees all of face +z: rho = 1/2; of
-    // 2 pixels: rho = 2, level 1; of 1 pixel: rho = 4, level 2.
+/// A cube of 4 x 4, levels red 0, 100, 200.
+TextureRef cube_of_levels() {
     Texture t{.name = "cube"};
     t.cube = true;
     for (const auto& [n, red] : {std::pair(4, 0), std::pair(2, 100), std::pair(1, 200)}) {
@@ -200,7 +198,13 @@ TEST(ManualWithR, CubesHaveLevels) {
                 level.rgba.edit().push_back(std::uint16_t(257 * c));
         t.levels.push_back(level);
     }
-    const TextureRef texture = make_texture(std::move(t));
+    return make_texture(std::move(t));
+}
+
+// [R10.38] [R10.43]
+TEST(ManualWithR, CubesHaveLevels) {
+    // A square of 8 pixels sees all of face +z: rho = 1/2; of 2 pixels: rho = 2, level 1; of 1 pixel:
+    // rho = 4, level 2.
     const auto red_of = [&](float side) {
         Workbench bench(opengl(), 8, 8);
         MeshData square = test::mesh_data(Primitive::Quads,
@@ -209,12 +213,35 @@ TEST(ManualWithR, CubesHaveLevels) {
         square.texcoords_rq = {{1, 1}, {1, 1}, {1, 1}, {1, 1}};
         bench.state.texture.min_filter = MinFilter::NearestMipmapNearest;
         bench.state.texture.mag_filter = MagFilter::Nearest;
-        bench.draw(Draw{.mesh = make_mesh(square), .map = {texture}});
+        bench.draw(Draw{.mesh = make_mesh(square), .map = {cube_of_levels()}});
         return int(bench.color(0, 0)[0]);
     };
     EXPECT_EQ(red_of(8), 0);
     EXPECT_EQ(red_of(2), 100);
     EXPECT_EQ(red_of(1), 200);
+}
+
+// [R10.43] [R10.31]
+TEST(ManualWithR, NoDirectionIsMagnified) {
+    for (const bool exact_rho : {false, true}) {
+        const auto red_of = [&](const vec3& d) {
+            Workbench bench(opengl(), 1, 1);
+            bench.state.texture = {.min_filter = MinFilter::NearestMipmapNearest,
+                                   .mag_filter = MagFilter::Nearest};
+            bench.state.texture.env = TexEnv::Replace;
+            bench.state.texture.lod.min = 1;
+            bench.state.texture.exact_rho = exact_rho;
+            CurrentValues current;
+            current.texcoord = vec4(d, 1);
+            bench.draw(
+                Draw{.mesh = make_mesh(test::mesh_data(Primitive::Points, {{0.5f, 0.5f, 0}})),
+                     .current = std::make_shared<const CurrentValues>(current),
+                     .map = {cube_of_levels()}});
+            return int(bench.color(0, 0)[0]);
+        };
+        EXPECT_EQ(red_of({1, 0, 0}), 100);
+        EXPECT_EQ(red_of({0, 0, 0}), 0);
+    }
 }
 
 // [R10.43]
