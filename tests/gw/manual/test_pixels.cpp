@@ -267,6 +267,27 @@ TEST(ManualPixels, TheRasterPositionIsTexturedAndFogged) {
     EXPECT_EQ(bench.take_counters().texels, 4u * 4);  // of the initial min_filter
 }
 
+// [R13.12] [R8.13]
+TEST(ManualPixels, TheSumDependsOnTheColourSource) {
+    Workbench bench(opengl(), 1, 1);
+    State& s = bench.state;
+    DrawPixels d{.width = 1, .height = 1, .colors = {{100, 50, 0, 255}}};
+    d.raster.secondary_color = {60, 0, 0, 0};
+    d.raster.distance = 0.5;
+    s.fog = {.enable = true, .mode = FogMode::Linear, .start = 0, .end = 1, .color = {0, 0, 1, 0}};
+    s.color_sum = true;
+    const auto drawn = [&](ColorSource source, bool separate_specular = false) {
+        s.color_source = source;
+        s.lighting.separate_specular = separate_specular;
+        bench.run(d);
+        return bench.color(0, 0);
+    };
+    EXPECT_EQ(drawn(ColorSource::Vertex), (Rgba{80, 25, 127, 255}));
+    EXPECT_EQ(drawn(ColorSource::PolygonId), (Rgba{50, 25, 127, 255}));
+    EXPECT_EQ(drawn(ColorSource::Lighting), (Rgba{50, 25, 127, 255}));
+    EXPECT_EQ(drawn(ColorSource::Lighting, true), (Rgba{80, 25, 127, 255}));
+}
+
 // [R13.13]
 TEST(ManualPixels, TheRasterPositionIsComparedWithADepthSlot) {
     Profile profile = opengl();
