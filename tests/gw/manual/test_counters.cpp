@@ -158,6 +158,20 @@ TEST(ManualCounters, QueriesCountWhatIsWritten) {
 }
 
 // [R14.11]
+TEST(ManualCounters, AKeyMayEndTwiceInAPass) {
+    test::Workbench bench(opengl(), 8, 8);
+    for (const int pixels : {3, 4}) {
+        bench.run(Query{7});
+        bench.write({0, 0, pixels, 1}, {});
+        bench.run(Query{7, false});
+    }
+    bench.compare();
+    const std::vector<PassReport>& passes = bench.machine().passes();
+    EXPECT_EQ(passes.back().queries, (std::vector<QueryResult>{{7, 3}, {7, 4}}));
+    EXPECT_EQ(query_result(passes, 7), 4u);
+}
+
+// [R14.11]
 TEST(ManualCounters, AQueryOutlivesForgottenPasses) {
     test::Workbench bench(opengl(), 8, 8);
     bench.write({0, 0, 3, 1}, {});

@@ -311,6 +311,9 @@ TEST(ManualWithR, VolumesLookUpTwoSlices) {
     bench.state.texture.min_filter = MinFilter::NearestMipmapLinear;
     bench.draw(draw);
     EXPECT_EQ(bench.take_counters().texels, 2u);
+    bench.state.texture.min_filter = MinFilter::LinearMipmapLinear;
+    bench.draw(draw);
+    EXPECT_EQ(bench.take_counters().texels, 16u);
 }
 
 TEST(ManualWithR, NextLevelsAreMeansOfLayers) {

@@ -116,13 +116,15 @@ TEST(ManualSamples, AreNumberedInTheOrderOfTheirPlaces) {
     }
 }
 
-/// Coverage and depth of a sample are those of a surface without samples under a jitter.
-// [R17.2] [R17.5]
+/// Coverage and depth of a sample are those of a surface without samples under a jitter. The steps of
+/// a strip are counted without either.
+// [R17.2] [R17.5] [R9.20]
 TEST(ManualSamples, AreSurfacesUnderAJitter) {
     constexpr int side = 16;
     test::Random random(7);
     const auto unit = [&] { return 2.4f * random.fraction() - 1.2f; };
-    for (const Primitive primitive : {Primitive::Triangles, Primitive::Lines, Primitive::Points})
+    for (const Primitive primitive :
+         {Primitive::Triangles, Primitive::Lines, Primitive::LineStrip, Primitive::Points})
         for (int round = 0; round < 6; ++round) {
             MeshData data{.primitive = primitive};
             for (int i = 0; i < 12; ++i) data.positions.emplace_back(unit(), unit(), unit());
@@ -345,7 +347,7 @@ TEST(ManualSamples, NothingIsSmoothBesides) {
         for (const bool smooth : {false, true}) {
             SampleBench bench(4, 16, 16);
             State& s = bench.state;
-            s.point_smooth = s.line_smooth = s.polygon_smooth = smooth;
+            s.point_smooth = s.line_smooth = s.polygon_smooth = s.diamond_lines = smooth;
             s.point_size = s.line_width = 5;
             MeshData data = square(0.1, 0.2, 0.7, 0.8);
             data.primitive = primitive;

@@ -301,6 +301,24 @@ TEST(ManualSurfaces, ABlitScalesAndFlips) {
     EXPECT_EQ(reds(bench, {0, 0, 3, 1}), (std::vector{40, 200, 0}));
 }
 
+// [R16.10] [R14.8]
+TEST(ManualSurfaces, ABlitCountsTheBytesOfACopy) {
+    Workbench bench(opengl(), 3, 1);
+    make_reds(bench, 1, 3, 1, {1, 2, 3});
+    bench.run(UseSurface{0});
+    for (const auto& [buffer, bytes] :
+         {std::pair(DrawBuffer::None, 24u), {DrawBuffer::FrontAndBack, 36u}}) {
+        bench.state.draw_buffer = buffer;
+        bench.take_counters();
+        bench.run(
+            Blit{.from_surface = 1, .planes = 7, .source = {0, 0, 3, 1}, .target = {0, 0, 3, 1}});
+        const Counters counted = bench.take_counters();
+        EXPECT_EQ(counted.pixels, 3u);
+        EXPECT_EQ(counted.bytes, bytes);
+        EXPECT_EQ(bench.color(2, 0)[0], buffer == DrawBuffer::None ? 0 : 3);
+    }
+}
+
 // [R16.7] Pixels of the target that show no pixel of the source, and those outside the box, stay.
 TEST(ManualSurfaces, ABlitIsCutByBothSurfacesAndTheBox) {
     Workbench bench(opengl(), 8, 8);
