@@ -166,9 +166,12 @@ private:
                   .window = line_of(input_, y)};
         std::vector<std::int64_t> x;
         for (const Edge& edge : edges_) {
+            const auto [x0, x1] = edge.of->on(y);
+            if (x0 >= x1) continue;
             step.pieces.push_back(edge.of->name);
             x.push_back(edge.x(y));
         }
+        if (x.empty()) return;
         step.values = {{"x", x}};
         log_.add(std::move(step));
     }

@@ -131,10 +131,12 @@ private:
                   .window = line_of(input_, y)};
         std::vector<std::int64_t> x0, x1;
         for (const ActiveFace* segment : segments_) {
+            if (segment->x0 >= segment->x1) continue;
             step.pieces.push_back(segment->face->name);
             x0.push_back(segment->x0);
             x1.push_back(segment->x1 - 1);
         }
+        if (step.pieces.empty()) return;
         step.values = {{"x0", x0}, {"x1", x1}};
         log_.add(std::move(step));
     }

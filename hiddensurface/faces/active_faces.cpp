@@ -44,8 +44,8 @@ void ActiveFaces::step(ActiveFace& active) const {
         while (!edges->empty() && edges->back().done()) edges->pop_back();
     active.done = active.left.empty() || active.right.empty();
     if (active.done) return;
-    active.x0 = std::max(end(active.left), 0);
-    active.x1 = std::min(end(active.right), width_);
+    active.x0 = std::clamp(end(active.left), 0, width_);
+    active.x1 = std::clamp(end(active.right), 0, width_);
 }
 
 std::uint64_t ActiveFaces::bytes() const {
