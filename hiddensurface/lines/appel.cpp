@@ -28,6 +28,9 @@ struct Change {
     int delta;
 };
 
+/// Places nearer than this are one that was computed from different sides.
+constexpr double same_place = 1e-12;
+
 class Appel {
 public:
     Appel(const Input& input, StepLog& log)
@@ -114,14 +117,19 @@ private:
         return true;
     }
 
-    /// The invisibility from the line's beginning to its end, and the places at which it changes.
-    /// `backward`: both were found from the end.
+    /// The invisibility from the line's beginning to its end, and the places at which it changes:
+    /// not those at which the line passes from behind one face to behind its neighbour. `backward`:
+    /// both were found from the end.
     static Values values_of(int number, const std::vector<Change>& changes, bool backward = false) {
         std::vector<std::int64_t> numbers{number};
         std::vector<double> at;
-        for (const Change& change : changes) {
-            numbers.push_back(number += change.delta);
-            at.push_back(backward ? 1 - change.t : change.t);
+        for (std::size_t i = 0; i < changes.size();) {
+            const double t = changes[i].t;
+            for (; i < changes.size() && changes[i].t - t <= same_place; ++i)
+                number += changes[i].delta;
+            if (number == numbers.back()) continue;
+            numbers.push_back(number);
+            at.push_back(backward ? 1 - t : t);
         }
         if (backward) {
             std::reverse(numbers.begin(), numbers.end());
@@ -231,13 +239,16 @@ private:
             } else if (!cross(contour, a, b, changes)) {
                 return false;
             }
-            if (changes.size() > before) log_change(s, contour.id, "contour", changes.back());
+            if (changes.size() > before) log_change(s, from, contour.id, "contour", changes.back());
         }
         return true;
     }
 
-    void log_change(std::size_t s, std::uint32_t by, const char* test, const Change& change) {
+    /// The step tells it from the line's beginning, wherever the number was carried from.
+    void log_change(std::size_t s, std::size_t from, std::uint32_t by, const char* test,
+                    Change change) {
         if (!log_.wants(Level::Span)) return;
+        if (from != scene_.sides[s].a) change = {1 - change.t, -change.delta};
         log_.add({.level = Level::Span,
                   .test = test,
                   .result = change.delta > 0 ? "more" : "fewer",
@@ -289,7 +300,7 @@ private:
             if (inside == 0 || (inside > 0 && (ga == 0 || gb == 0))) return false;
             if (inside < 0) continue;
             changes.push_back({double(ga) / double(ga - gb), gb > 0 ? 1 : -1});
-            log_change(s, face.id, "pierced", changes.back());
+            log_change(s, from, face.id, "pierced", changes.back());
         }
         return true;
     }
