@@ -246,14 +246,19 @@ private:
 /// Counts facings.
 Bodies bodies_of(const Input& input, LineCounts& counts) { return Maker(input, counts).take(); }
 
-/// The part of p -> q that lies on the positive side of all the body's planes by more than the
-/// tolerance.
+/// The part of p -> q that lies on the positive side of all the body's planes. An end that is nearer
+/// to a plane than the tolerance is on it; between the ends no tolerance shortens the part, or the
+/// line would be seen between two bodies that touch.
 std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double tolerance,
                               LineCounts& counts) {
     Part part{0, 1};
     for (const dvec4& plane : body.planes) {
         counts.planes += 1;
-        const double a = side(plane, line.p) - tolerance, b = side(plane, line.q) - tolerance;
+        const auto at = [&](const dvec3& end) {
+            const double d = side(plane, end);
+            return std::abs(d) > tolerance ? d : 0;
+        };
+        const double a = at(line.p), b = at(line.q);
         if (a <= 0 && b <= 0) return std::nullopt;
         if (a < 0) part.first = std::max(part.first, a / (a - b));
         if (b < 0) part.second = std::min(part.second, a / (a - b));
@@ -262,21 +267,25 @@ std::optional<Part> hidden_by(const Body& body, const WorldSide& line, double to
     return part;
 }
 
-void log_hidden(const WorldSide& line, std::size_t body, const Body& by, const Part& part,
-                StepLog& log) {
+/// The step has the places on the line as drawn, as the line's own step has.
+void log_hidden(const WorldSide& line, const WorldLines& window, std::size_t body, const Body& by,
+                const Part& part, StepLog& log) {
     if (!log.wants(Level::Span)) return;
+    const auto drawn = window.to_window(line.id, line.p, line.q, {part});
+    if (!drawn || drawn->visible.empty()) return;
+    const auto [from, to] = drawn->visible.front();
     log.add({.level = Level::Span,
              .test = "body",
              .result = "hides",
              .pieces = {std::to_string(line.id)},
              .values = {{"body", std::int64_t(body)},
                         {"planes", std::int64_t(by.planes.size())},
-                        {"hidden", std::vector{part.first, part.second}}},
+                        {"hidden", std::vector{from, to}}},
              .decisive = true});
 }
 
-std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, LineCounts& counts,
-                                StepLog& log) {
+std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line,
+                                const WorldLines& window, LineCounts& counts, StepLog& log) {
     if (line.back) return {};
     counts.starts += 1;
     std::vector<Part> hidden;
@@ -287,7 +296,7 @@ std::vector<Part> visible_parts(const Bodies& scene, const WorldSide& line, Line
         const auto part = hidden_by(body, line, scene.tolerance, counts);
         if (!part) continue;
         hidden.push_back(*part);
-        log_hidden(line, i, body, *part, log);
+        log_hidden(line, window, i, body, *part, log);
     }
     return rest_of(std::move(hidden));
 }
@@ -303,7 +312,7 @@ LineOutput run(const Input& input, StepLog& log) {
     output.counts.peak_bytes += scene.sides.size() * sizeof(WorldSide);
     for (const WorldSide& side : scene.sides) {
         const auto line = window.to_window(side.id, side.p, side.q,
-                                           visible_parts(scene, side, output.counts, log));
+                                           visible_parts(scene, side, window, output.counts, log));
         if (!line) continue;
         output.counts.lines += 1;
         output.counts.parts += line->visible.size();
