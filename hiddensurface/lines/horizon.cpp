@@ -47,12 +47,15 @@ std::vector<Part> Horizon::beyond(const dvec2& a, const dvec2& b, LineCounts& co
         add(u, from);
         const double size =
             std::abs(piece.a.y) + std::abs(piece.b.y) + std::abs(a.y) + std::abs(b.y);
-        const double over_from =
-                         sign_ * (line.at(from) - piece.at(from)) - relative_tolerance * size,
-                     over_to = sign_ * (line.at(to) - piece.at(to)) - relative_tolerance * size;
+        // A point on the horizon is exactly on it: a line that begins there is beyond it at once.
+        const auto over = [&](double at) {
+            const double d = sign_ * (line.at(at) - piece.at(at));
+            return std::abs(d) > relative_tolerance * size ? d : 0;
+        };
+        const double over_from = over(from), over_to = over(to);
         if (over_from > 0 || over_to > 0) {
             const double crossing = from + over_from / (over_from - over_to) * (to - from);
-            add(over_from > 0 ? from : crossing, over_to > 0 ? to : crossing);
+            add(over_from < 0 ? crossing : from, over_to < 0 ? crossing : to);
         }
         u = to;
     }
