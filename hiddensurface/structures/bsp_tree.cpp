@@ -143,7 +143,12 @@ Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
 std::vector<double> distances_of(const TreePiece& piece, const dvec4& plane) {
     std::vector<double> distances;
     for (const Loop& part : piece.parts)
-        for (const dvec3& p : part) distances.push_back(side(plane, p));
+        for (const dvec3& p : part) {
+            const double d = side(plane, p), size = std::abs(plane.x * p.x) +
+                                                    std::abs(plane.y * p.y) +
+                                                    std::abs(plane.z * p.z) + std::abs(plane.w);
+            distances.push_back(std::abs(d) > 0x1p-48 * size ? d : 0);
+        }
     return distances;
 }
 

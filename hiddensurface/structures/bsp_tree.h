@@ -57,7 +57,8 @@ struct Tree {
     std::uint64_t plane_tests = 0;  ///< polygons compared with planes
 };
 
-/// The signed distance of each of the piece's corners to a plane of length 1.
+/// The signed distance of each of the piece's corners to a plane of length 1; 0 if it may be all
+/// rounding.
 std::vector<double> distances_of(const TreePiece& piece, const dvec4& plane);
 
 /// Called for each split: the piece, the piece whose plane cuts it, its parts on the back and front
