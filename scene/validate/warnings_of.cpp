@@ -36,10 +36,12 @@ std::string coincident(const Scene& scene) {
            "them a little apart";
 }
 
+/// A map whose texels may differ.
 const Map* picture_of(const Material& m) {
     for (const auto* maps : {&m.map_Kd, &m.map_Ka, &m.map_Ks, &m.map_Ke, &m.map_d})
         for (const Map& map : *maps)
-            if (map.texture && !map.file.empty()) return &map;
+            if (map.texture && !map.file.empty() && map.texture->levels.front().rgba.size() > 4)
+                return &map;
     return nullptr;
 }
 

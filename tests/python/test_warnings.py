@@ -1,11 +1,14 @@
 """Input that is valid and not done as asked: one warning that names it, and never an endless loop."""
 import itertools
 import os
+import pathlib
 import warnings
 
 import gw
 import numpy as np
 import pytest
+
+SCENES = pathlib.Path(__file__).parents[2] / "scenes"
 
 def room(Kd):
     scene = gw.Scene()
@@ -119,7 +122,7 @@ def test_bytes_are_colours_from_0_to_255():
 
 
 def test_pictures_of_planes_of_more_bits_are_refused_or_right():
-    machine = gw.render("scenes/rings.toml", 16, 12, profile="ideal")
+    machine = gw.render(SCENES / "rings.toml", 16, 12, profile="ideal")
     with pytest.raises(gw.Error, match="expected 0 .. 255, or bits = the plane's bits"):
         gw.picture(machine.color)
     assert np.array_equal(gw.picture(machine.color, bits=16).pixels, machine.color[::-1, :, :3])
@@ -135,4 +138,4 @@ def test_an_endless_algorithm_ends(monkeypatch):
 
     monkeypatch.setattr(gw.hidden, "_MOST_STEPS", 1000)
     with pytest.raises(gw.Error, match="endless: step 1001 is one too many; expected at most 1,000"):
-        gw.hidden.play(gw.Scene.open("scenes/hidden/cycle.toml"), endless)
+        gw.hidden.play(gw.Scene.open(SCENES / "hidden/cycle.toml"), endless)

@@ -144,9 +144,11 @@ TEST(WarningsOf, NameAMapWithoutTextureCoordinates) {
     Scene scene;
     add_quad(scene, "floor", level(0, 5, false));
     const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
-    const std::vector<std::uint16_t> texel(4, 65535);
+    const std::vector<std::uint16_t> texel(4, 65535), texels(8, 65535);
     scene.materials[0].map_Kd = {
         Map{.file = "maps/wood.png", .texture = make_texture("wood", 1, 1, texel)}};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings()) << "the one texel";
+    scene.materials[0].map_Kd[0].texture = make_texture("wood", 2, 1, texels);
     for (const DrawnBy by : {DrawnBy::Passes, DrawnBy::Depth, DrawnBy::Rays})
         EXPECT_EQ(
             warnings_of(scene, view, by),
