@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { titledAlgorithms } from '../words/titles';
 import { codeNames, litLine, pseudoCode } from '../words/pseudo_code';
@@ -27,7 +28,49 @@ it('lights the line of the answer before that of the question', () => {
   const line = (test: string, result: string) => code[litLine(code, { test, result })]?.en ?? '';
   expect(line('farthest-corner', 'moved')).toContain('move Q');
   expect(line('farthest-corner', 'sorted')).toContain('sort all');
-  expect(line('split', 'none')).toContain('cut one');
+  expect(line('split', 'seen-plane')).toContain('cut one');
+  expect(line('split', 'none')).toContain('neither can be cut');
   expect(litLine(code, { test: 'unknown', result: 'yes' })).toBe(-1);
   expect(litLine(code, undefined)).toBe(-1);
+});
+
+/** Answers that one line says truly: they do not contradict each other. */
+const agreeing = [
+  ['draw.piece', 'draw.line', 'draw.nearer', 'draw.unhidden'],
+  ['tree-node.root', 'tree-node.front', 'tree-node.back'],
+  ['eye-side.front', 'eye-side.front-parallel'],
+  ['eye-side.back', 'eye-side.back-parallel'],
+  ['active-edges.segments', 'active-edges.sorted'],
+  ['priority.front', 'priority.back'],
+  ['points.one', 'points.shared'],
+  ['pyramid-cube.hidden', 'pyramid-cube.hidden-by-cells'],
+  ['pyramid-polygon.hidden', 'pyramid-polygon.hidden-by-cells'],
+];
+const file = process.env['GW_STEP_WORDS'] ?? '../hiddensurface/run/step_words.json';
+const words = JSON.parse(readFileSync(file, 'utf8')) as Record<string, Record<string, unknown>>;
+
+it('lights different lines for answers of opposite meaning, in every algorithm', () => {
+  const complaints: string[] = [];
+  for (const name of codeNames)
+    for (const [test, answers] of Object.entries(words)) {
+      const code = pseudoCode(name);
+      const results = Object.keys(answers);
+      for (const [i, one] of results.entries())
+        for (const other of results.slice(i + 1)) {
+          const at = litLine(code, { test, result: one });
+          if (at < 0 || at !== litLine(code, { test, result: other })) continue;
+          const pair = [`${test}.${one}`, `${test}.${other}`];
+          const isAsked = code[at]!.isQuestion && [one, other].sort().join() === 'no,yes';
+          const agrees = agreeing.some((set) => pair.every((answer) => set.includes(answer)));
+          if (!isAsked && !agrees)
+            complaints.push(`${name}: "${code[at]!.en}" for ${pair.join(' and ')}`);
+        }
+    }
+  expect(complaints).toEqual([]);
+});
+
+it('asks in both languages', () => {
+  for (const name of codeNames)
+    for (const line of pseudoCode(name))
+      if (line.isQuestion) expect(line.ja, `${name}: ${line.en}`).toMatch(/か$/);
 });

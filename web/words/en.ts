@@ -4,6 +4,8 @@ import { report } from './report_en';
 
 export const en = {
   of: 'of',
+  yes: 'yes',
+  no: 'no',
   begin: 'Before the first step. Press Next, or the right arrow key.',
   play: 'Play',
   pause: 'Pause',

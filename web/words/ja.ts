@@ -5,6 +5,8 @@ import { report } from './report_ja';
 
 export const ja: Words = {
   of: '／',
+  yes: 'はい',
+  no: 'いいえ',
   begin: '最初のステップの前です。「次へ」か右矢印キーで進みます。',
   play: '再生',
   pause: '一時停止',

@@ -1,5 +1,6 @@
 // Every algorithm in ten to twenty lines, "English | 日本語 | what lights it": the tests of
-// the steps that it stands for, or single answers of them ("split.none"). More spaces: inside.
+// the steps that it stands for, or single answers of them ("split.none"). Answers of opposite
+// meaning light two lines, or a question, which then shows its yes or no. More spaces: inside.
 const painter = (en: string, ja: string): string => `
 for each polygon P in the window: | 画面に入る各ポリゴン P について: |
   compute where its corners are | 頂点の位置を求める |
@@ -17,9 +18,12 @@ const tree = `
 build(list of pieces): | 構築(部分のリスト): |
   choose a piece; its plane makes a node | 一つを選び、その平面を節とする | tree-node
   for each other piece: | ほかの各部分について: |
-    crosses the plane: cut it in two | 平面をまたぐなら二つに切る | split
+    crosses the plane: cut it in two | 平面をまたぐなら二つに切る | split.plane
     before it: to the front list; else to the back list | 表側なら表のリスト、でなければ裏のリストへ |
   build(front list); build(back list) | 構築(表のリスト); 構築(裏のリスト) |`;
+
+const cellsHide = (what: string): string =>
+  `pyramid-${what}.hidden pyramid-${what}.hidden-by-cells`;
 
 const texts: Record<string, string> = {
   'back-face': `
@@ -40,17 +44,19 @@ polygons before others are not looked for | 手前のポリゴンは調べない
 sort all polygons by their farthest corners | 最も遠い頂点でソートする | farthest-corner.sorted
 while the list has polygons: | リストが空になるまで: |
   P := the farthest | P := 最も遠いポリゴン |
-  for each Q that may overlap P in depth: | 奥行きが重なり得る各 Q について: | z-extents
-    1: apart in x? then P may precede Q | 1: x の範囲が離れていれば P が先 | 1-x-extents
-    2: apart in y? | 2: y の範囲が離れているか | 2-y-extents
+  for each other Q, until P may precede all: | P を先に描けるまで、ほかの各 Q について: |
+    is all of Q nearer in depth than P? | 奥行きでは Q 全体が P より手前か | z-extents
+    1: are they apart in x? | 1: x の範囲が離れているか | 1-x-extents
+    2: are they apart in y? | 2: y の範囲が離れているか | 2-y-extents
     3: is P wholly behind the plane of Q? | 3: P 全体が Q の平面の奥か | 3-behind
     4: is Q wholly before the plane of P? | 4: Q 全体が P の平面の手前か | 4-before
     5: are their outlines apart? | 5: 投影が離れているか | 5-projections
-    else the other way round: is Q behind P? | 逆の順: Q は P の平面の奥か | 3'-behind
-      or P before Q? | P は Q の平面の手前か | 4'-before
+    the other way round: is Q behind P? | 逆の順: Q は P の平面の奥か | 3'-behind
+    or is P before Q? | P は Q の平面の手前か | 4'-before
       then move Q to the far end and mark it | Q を最も遠い端へ移し印を付ける | farthest-corner.moved
     Q is marked already: a cycle | Q に印があれば循環 | marks
-    no order: cut one by the plane of the other | 順序がなければ一方を他方の平面で切る | split
+    no order: cut one by the plane of the other | 順序がなければ一方を他方の平面で切る | split.seen-plane
+    neither can be cut: no order is found | どちらも切れなければ順序は決まらない | split.none
   draw P | P を描く | draw`,
   bsp: `${tree}
 draw(node): | 描画(節): |
@@ -74,13 +80,13 @@ for each line y, from the top: | 上から各走査線 y について: |
   'z-buffer': `
 for each pixel: | 各画素について: |
   Z := farthest depth; colour := background | Z := 最も遠い値; 色 := 背景 |
-for each polygon P, in any order: | どの順でも、各ポリゴン P について: | z-buffer.all z-buffer.some z-buffer.none
-  for each triangle, row and pixel of P: | P の三角形、行、画素ごとに: |
+for each polygon P, in any order: | どの順でも、各ポリゴン P について: |
+  for each triangle, row and pixel of P: | P の三角形、行、画素ごとに: | z-buffer.some
     z := depth of P at the pixel's centre | z := 画素の中心での P の奥行き |
-    if z < Z: | z < Z なら: | z.nearer
+    if z < Z: | z < Z なら: | z.nearer z-buffer.all
       Z := z | Z := z |
       colour := colour of P | 色 := P の色 | draw
-    else: | でなければ: | z.not-nearer
+    else: | でなければ: | z.not-nearer z-buffer.none
       nothing is written | 何も書かない |`,
   'ray-casting': `
 for each row from the top: | 上から各行について: |
@@ -98,7 +104,7 @@ divide(faces): | 分割(面): |
   a plane between them? two nodes | 間に平面があれば二つの節 | cluster.separated
   all orders without a cycle? a cluster | 順序に循環がなければクラスタ | cluster.ranked
     number its sides: priorities for every eye | 面に番号を付ける: 視点によらない優先順位 |
-  else: cut some by the plane of one | でなければ一つの平面で切る | split
+  else: cut some by the plane of one | でなければ一つの平面で切る | split.plane
   divide(front); divide(back) | 分割(表側); 分割(裏側) |
 draw(node): | 描画(節): |
   eye in front: the back node comes first | 視点が表側なら裏側の節が先 | eye-side.front eye-side.front-parallel
@@ -170,21 +176,28 @@ draw the polygon with the largest share | 割合が最大のポリゴンを描�
 put all polygons into an octree of cubes | ポリゴンを八分木の立方体に入れる |
 pyramid := farthest depth at each pixel and level | ピラミッド := 各段の最も遠い奥行き |
 visit(cube): | 訪問(立方体): |
-  cells over it nearer than its nearest depth? | 覆うセルがすべて手前か | pyramid-cube
-    then all in it is hidden: return | なら中はすべて隠れる |
+  outside the window: return | 画面の外なら戻る | pyramid-cube.outside
+  all cells over it nearer: hidden, return | 覆うセルがすべて手前なら隠れる | ${cellsHide('cube')}
+  else it may be seen | でなければ見える可能性がある | pyramid-cube.may-be-seen
   for each polygon P of the cube: | 立方体の各ポリゴン P について: |
-    is P hidden by the pyramid? next P | P がピラミッドで隠れるか | pyramid-polygon
+    outside the window: next P | 画面の外なら次の P へ | pyramid-polygon.outside
+    all cells over it nearer: hidden, next P | 覆うセルがすべて手前なら隠れる | ${cellsHide('polygon')}
+    else P may be seen | でなければ P は見える可能性がある | pyramid-polygon.may-be-seen
     for each pixel of P: if z < Z: Z := z | P の各画素: z < Z なら Z := z |
       draw it, mend the pyramid above | 描き、上の段を直す | draw
   visit its eight parts, near to far | 八つの部分を手前から訪問 |
 visit(cube of the whole scene) | 訪問(全体の立方体) |`,
   quake: `${tree}
-walk the tree far to near, by the eye's side | 視点の側に従って木を遠い順にたどる | eye-side
+walk the tree far to near: | 木を遠い順にたどる: |
+  eye in front: the back comes first | 視点が表側なら裏側が先 | eye-side.front eye-side.front-parallel
+  eye behind it: its front comes first | 視点が裏側なら表側が先 | eye-side.back eye-side.back-parallel
   give every piece a key: smaller is nearer | 各部分にキー: 小さいほど手前 | key
 for each line y, from the top: | 上から各走査線 y について: |
   edges of all pieces, sorted in x | すべての辺を x で並べる | active-edges
-  leading edge: put on the stack by key | 左の辺: キーの順にスタックへ | surface-stack.top
-  trailing edge: take off; a new top ends the span | 右の辺: 除く。上が変わればスパンが終わる | surface-stack.empty
+  leading edge: put its piece on the stack by key | 左の辺: 部分をキーの順にスタックへ |
+  trailing edge: take its piece off | 右の辺: 部分をスタックから除く |
+  the piece on top is seen from here | ここから一番上の部分が見える | surface-stack.top
+  the stack is empty: background from here | スタックが空ならここから背景 | surface-stack.empty
   draw the spans | スパンを描く | draw`,
   appel: `
 contour edges: between a front and a back face | 輪郭線: 表と裏の面の間の辺 |
@@ -192,11 +205,14 @@ for each connected set of lines: | つながった線の組ごとに: |
   count the faces before a first corner | 最初の頂点で手前の面を数える |
   for each line from a known corner: | 数の分かった頂点から各線について: |
     sort its crossings with contour edges | 輪郭線との交点を並べる |
-    at each crossing of a contour: number ± 1 | 輪郭線との交点で ±1 | contour
-    through a face: number ± 1 | 面を貫くと ±1 | pierced
-    the number is carried from the corner | 数は頂点から受け継ぐ | carried
-    or counted again, if it cannot be | できなければ数え直す | compared
-    visible where the number is 0 | 数が 0 の部分が見える |
+    number := that of the corner, or counted again | 数 := 頂点の数、または数え直した数 |
+    a contour, in behind it: number up | 輪郭線の後ろに入ると数が増える | contour.more
+    a contour, out from behind it: number down | 輪郭線の後ろから出ると数が減る | contour.fewer
+    through a face to its back: number up | 面を貫いて裏へ出ると数が増える | pierced.more
+    through a face to its front: number down | 面を貫いて表へ出ると数が減る | pierced.fewer
+    number 0 all along: visible | どこでも 0 なら見える | carried.visible compared.visible
+    number nowhere 0: hidden | 0 の部分がなければ隠れる | carried.hidden compared.hidden
+    else: visible where it is 0 | でなければ 0 の部分が見える | carried.parts compared.parts
     draw the visible parts | 見える部分を描く | draw`,
   roberts: `
 bodies := convex solids, and single faces | 物体 := 凸な立体と一枚の面 |
@@ -207,16 +223,20 @@ for each line: | 各線について: |
     boxes apart in the window: next | 画面上で離れていれば次へ |
     clip the line by all its planes, to the eye | 視線方向の全平面で線を切る |
     add the interval that is behind | 奥になる部分を加える | body
-  visible := the rest of the line | 見える部分 := 残り | bodies
+  visible := the rest of the line | 見える部分 := 残り |
+  all of the line: nothing hides it | 線の全体なら何も隠さない | bodies.visible
+  nothing: the line is hidden | 残りがなければ線は隠れる | bodies.hidden
+  else: visible in parts | でなければ一部が見える | bodies.parts
   draw the visible parts | 見える部分を描く | draw`,
   'floating-horizon': `
 upper := lowest, lower := highest at every x | 各 x で 上 := 最低、下 := 最高 |
 for each row of the grid, near to far: | 格子の各列を手前から: |
   for each line of the row, and to the row before: | 列の線と前の列への線について: |
     project it: heights at its x | 投影して高さを求める |
-    where above the upper horizon: visible | 上の水平線より上なら見える |
-    where below the lower horizon: visible | 下の水平線より下なら見える |
-    else hidden | でなければ隠れる | horizon
+    hidden := between the two horizons | 隠れる部分 := 二つの水平線の間 |
+    beyond a horizon all along: visible | 全体が水平線の外なら見える | horizon.visible
+    between the horizons all along: hidden | 全体が水平線の間なら隠れる | horizon.hidden
+    else: visible in parts | でなければ一部が見える | horizon.parts
     draw the visible parts | 見える部分を描く | draw
   upper := greater of upper and the row | 上 := 上と列の大きいほう |
   lower := smaller of lower and the row | 下 := 下と列の小さいほう |`,
@@ -229,11 +249,19 @@ export interface CodeLine {
   readonly indent: number;
   /** "test" or "test.result". */
   readonly lit: readonly string[];
+  /** Its answers, yes and no, light the same line. */
+  readonly isQuestion: boolean;
 }
 
 function lineOf(text: string): CodeLine {
   const [en = '', ja = '', lit = ''] = text.split('|').map((part) => part.trim());
-  return { en, ja, indent: text.search(/\S/), lit: lit.split(' ').filter((word) => word !== '') };
+  return {
+    en,
+    ja,
+    indent: text.search(/\S/),
+    lit: lit.split(' ').filter((word) => word !== ''),
+    isQuestion: en.endsWith('?'),
+  };
 }
 
 const parsed = new Map(
