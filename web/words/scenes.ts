@@ -94,6 +94,10 @@ export function grouped(names: readonly string[], language: Language, rest: stri
       .map(({ name, line }) => ({ name, line: line[language] })),
   }));
   const known = new Set(groups.flatMap(({ scenes }) => scenes.map(({ name }) => name)));
-  const others = names.filter((name) => !known.has(name)).map((name) => ({ name, line: '' }));
+  // The model of a scene that is there is not another scene.
+  const isModel = (name: string) => there.has(name.replace(/\.obj$/, '.toml'));
+  const others = names
+    .filter((name) => !known.has(name) && (name.endsWith('.toml') || !isModel(name)))
+    .map((name) => ({ name, line: '' }));
   return [...found, { title: rest, scenes: others }].filter(({ scenes }) => scenes.length > 0);
 }
