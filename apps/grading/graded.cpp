@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 
 namespace gw::apps {
 namespace {
@@ -72,17 +73,34 @@ std::string link_to(const std::string& path) {
     return text;
 }
 
+/// The page speaks English and Japanese; feedback is English.
+std::string said(const char* en, const char* ja) {
+    return fmt::format("{} <span lang=\"ja\">{}</span>", en, ja);
+}
+
+std::string outcome_said(const std::string& outcome) {
+    static const std::map<std::string, const char*> japanese{
+        {"right", "正解"},          {"wrong", "不正解"},
+        {"endless", "終わらない"},  {"crashed", "異常終了"},
+        {"broken", "読めない答え"}, {"flooding", "出力が多すぎる"},
+        {"memory", "メモリ不足"},   {"no program", "プログラムなし"},
+    };
+    const auto found = japanese.find(outcome);
+    return found == japanese.end() ? escaped(outcome) : said(found->first.c_str(), found->second);
+}
+
 std::string section_of(const GradedSubmission& graded, std::size_t number) {
     std::string text =
         fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", number, marked_up(graded.name));
     for (const GradedScene& scene : graded.scenes) {
-        text +=
-            fmt::format("<h3>{}: {}, {} of {}</h3>\n<pre>{}</pre>\n", marked_up(scene.scene),
-                        escaped(scene.outcome), scene.points, scene.of, marked_up(scene.feedback));
+        text += fmt::format("<h3>{}: {}, {} / {}</h3>\n<pre>{}</pre>\n", marked_up(scene.scene),
+                            outcome_said(scene.outcome), scene.points, scene.of,
+                            marked_up(scene.feedback));
         if (!scene.player.empty())
             text += fmt::format(
-                "<p><a href=\"{}\">Play its steps</a></p>\n",
-                link_to((folder_of_student(graded.name) / scene.player).generic_string()));
+                "<p><a href=\"{}\">{}</a></p>\n",
+                link_to((folder_of_student(graded.name) / scene.player).generic_string()),
+                said("Play its steps", "ステップを再生"));
     }
     return text + "</section>\n";
 }
@@ -91,11 +109,12 @@ std::string table_row(const GradedSubmission& graded, std::size_t number, std::s
     std::string text = fmt::format("<tr><th scope=\"row\"><a href=\"#s{}\">{}</a></th>", number,
                                    marked_up(graded.name));
     if (graded.scenes.empty())
-        return text + fmt::format("<td colspan=\"{}\">not graded yet</td></tr>\n", scenes + 1);
-    text += fmt::format("<td class=\"n\">{} of {}</td>", graded.points(), graded.of());
+        return text + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", scenes + 1,
+                                  said("not graded yet", "未採点"));
+    text += fmt::format("<td class=\"n\">{} / {}</td>", graded.points(), graded.of());
     for (const GradedScene& scene : graded.scenes)
         text += fmt::format("<td class=\"{}\">{}</td>", is_right(scene) ? "right" : "not",
-                            escaped(scene.outcome));
+                            outcome_said(scene.outcome));
     return text + "</tr>\n";
 }
 
@@ -217,12 +236,13 @@ std::string class_page(const std::vector<GradedSubmission>& all,
     }
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width\">\n<title>GW: grades</title>\n{}<main>\n<h1>Grades</h1>\n"
-        "<p>Also as <a href=\"grades.csv\">grades.csv</a> and <a href=\"junit.xml\">junit.xml</a>; "
-        "students/NAME/results.json is for Gradescope.</p>\n<table>\n<thead><tr><th "
-        "scope=\"col\">student</th><th scope=\"col\">points</th>{}</tr></thead>\n"
+        "content=\"width=device-width\">\n<title>GW: grades / 成績</title>\n{}<main>\n<h1>{}</h1>\n"
+        "<p>{}: <a href=\"grades.csv\">grades.csv</a>, <a href=\"junit.xml\">junit.xml</a>; "
+        "Gradescope: students/NAME/results.json</p>\n<table>\n<thead><tr><th "
+        "scope=\"col\">{}</th><th scope=\"col\">{}</th>{}</tr></thead>\n"
         "<tbody>\n{}</tbody>\n</table>\n{}</main>\n</html>\n",
-        class_style, head, rows, sections);
+        class_style, said("Grades", "成績"), said("Also as", "ほかの形"), said("student", "学生"),
+        said("points", "得点"), head, rows, sections);
 }
 
 }  // namespace gw::apps

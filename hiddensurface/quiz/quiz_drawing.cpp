@@ -204,13 +204,16 @@ std::vector<QuizCorner> corners_of(const Question& question) {
     const Input input = make_input(question.scene, view, vgx());
     const double unit = double(1 << input.subpixel_bits());
     const double farthest = double((std::int64_t{1} << input.profile.depth_bits) - 1);
+    // Rounded here, once: all that print them show the same digits.
+    const auto tenths = [](double pixels) { return std::round(pixels * 10) / 10; };
     for (const Polygon& polygon : input.polygons) {
         char letter = 'a';
         for (const Facet& facet : polygon.facets)
             for (const Loop& loop : facet.parts)
                 for (const dvec3& p : loop)
                     corners.push_back({polygon.id, fmt::format("{}{}", polygon.id, letter++),
-                                       p.x / unit, quiz_height - p.y / unit, p.z / farthest});
+                                       tenths(p.x / unit), tenths(quiz_height - p.y / unit),
+                                       p.z / farthest});
     }
     return corners;
 }

@@ -171,7 +171,12 @@ class Class(unittest.TestCase):
         self.assertEqual({row[0].lstrip("'"): row[3] for row in rows[1:]}, outcomes)
         self.assertFalse([row for row in rows if row[0][0] in "=+-@"])
         page = Page((work / "grades/index.html").read_text())
-        self.assertEqual({row[0]: row[2] for row in page.rows[1:]}, outcomes)
+        japanese = {"right": "正解", "wrong": "不正解", "endless": "終わらない",
+                    "crashed": "異常終了", "broken": "読めない答え", "flooding": "出力が多すぎる",
+                    "memory": "メモリ不足", "no program": "プログラムなし"}
+        self.assertEqual({row[0]: row[2] for row in page.rows[1:]},
+                         {name: f"{word} {japanese[word]}" for name, word in outcomes.items()})
+        self.assertEqual(page.rows[0][:2], ["student 学生", "points 得点"])
         self.assertNotIn("b", page.elements)
         for link in page.links:
             if not link.startswith("#"):

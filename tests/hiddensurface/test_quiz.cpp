@@ -6,12 +6,14 @@
 #include "hiddensurface/model/normal.h"
 #include "hiddensurface/quiz/fragments.h"
 #include "hiddensurface/quiz/quiz.h"
+#include "hiddensurface/quiz/quiz_drawing.h"
 #include "hiddensurface/run/compare.h"
 #include "tests/hiddensurface/cases.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -270,6 +272,26 @@ TEST(FragmentList, IsGradedByTheMistakesMade) {
     EXPECT_EQ(grade.mistakes.back().x, second.x);
     EXPECT_EQ(grade.mistakes.back().y, second.y);
     EXPECT_EQ(grade_fragments({}, trial.z_buffer.ids, trial.input).missing, grade.expected);
+}
+
+// 64.25 would be 64.2 in C++ and 64.3 in JavaScript.
+TEST(Quiz, CornersHaveTenthsSoThatAllMediaShowTheSameDigits) {
+    int halves = 0;
+    for (std::uint32_t seed = 1; seed <= 20; ++seed)
+        for (const Question& q : make_quiz(seed, 7)) {
+            const double unit = double(1 << QuizTrial(q).input.subpixel_bits());
+            for (const QuizCorner& c : corners_of(q)) {
+                for (const double value : {c.x, c.y})
+                    EXPECT_EQ(value, std::round(value * 10) / 10) << c.name << " of " << seed;
+                // The grid's own place: a quarter is a tie.
+                const double exact = std::round(c.x * unit) / unit;
+                if (std::abs(exact * 10 - std::floor(exact * 10) - 0.5) < 1e-9) {
+                    EXPECT_GT(c.x, exact) << c.name << " of " << seed;
+                    halves += 1;
+                }
+            }
+        }
+    EXPECT_GT(halves, 0);
 }
 
 TEST(FragmentList, RefusesWhatIsNone) {

@@ -54,11 +54,13 @@ struct Texts {
     Json questions = Json::array(), form = Json::object(), key = Json::array();
 };
 
-std::string corners_text(const hs::Question& question) {
+std::string corners_text(const hs::Question& question, const QuizHtml& words) {
     std::string text;
     for (const hs::QuizCorner& c : hs::corners_of(question))
         text += fmt::format("   {}: {:.1f} {:.1f} {:.4f}\n", c.name, c.x, c.y, c.Z);
-    return text.empty() ? "" : "   Corners: x, y in pixels from the upper left, Z 0 to 1\n" + text;
+    const hs::Bilingual head{"Corners: x, y in pixels from the upper left, Z 0 to 1",
+                             "頂点：x、y は左上からの画素、Z は 0 から 1"};
+    return text.empty() ? "" : fmt::format("   {}\n{}", words.plain(head), text);
 }
 
 void add_question(const hs::Question& q, std::size_t number, const std::string& picture,
@@ -67,7 +69,8 @@ void add_question(const hs::Question& q, std::size_t number, const std::string& 
     out.text += fmt::format("{}. ({}) ", number, q.kind);
     if (language != QuizLanguage::Japanese) out.text += q.text.en + "\n   ";
     if (language != QuizLanguage::English) out.text += q.text.ja + "\n   ";
-    out.text += fmt::format("Picture: {}; scene: {}\n{}", picture, scene, corners_text(q));
+    out.text += fmt::format("{}: {}; {}: {}\n{}", words.plain({"Picture", "図"}), picture,
+                            words.plain({"scene", "シーン"}), scene, corners_text(q, words));
     Json json{{"number", number},         {"kind", q.kind},     {"question", q.text.en},
               {"question_ja", q.text.ja}, {"picture", picture}, {"scene", scene}};
     Json choices = Json::object();
