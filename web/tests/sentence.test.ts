@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
 import { general, sentence, textOf } from '../model/steps/sentence';
 import { header, steps } from './samples/log';
@@ -37,4 +38,22 @@ it('writes lists with commas and truth as the command does', () => {
   expect(textOf(true)).toBe('1');
   expect(textOf(['1a', '2'])).toBe('1a, 2');
   expect(textOf([])).toBe('–');
+});
+
+const file = process.env['GW_STEP_WORDS'] ?? '../hiddensurface/run/step_words.json';
+type Texts = Record<string, Record<string, Record<'en' | 'ja', string>>>;
+const texts = Object.values(JSON.parse(readFileSync(file, 'utf8')) as Texts).flatMap(Object.values);
+
+it('says of a list that may be empty no place, which would be "at –"', () => {
+  for (const { en, ja } of texts) {
+    expect(en).not.toMatch(/\bat \{(changes|visible)\}/);
+    expect(ja).not.toMatch(/\{(changes|visible)\} で(?!す)/);
+  }
+});
+
+it('says of a distance that may be below 0 which side that is', () => {
+  for (const { en, ja } of texts) {
+    expect(en).not.toMatch(/(by|up to|plane of \{second\}:) \{(behind|nearest|farthest)\}/);
+    expect(ja).not.toMatch(/(手前|奥)[^。]*（[^）]*\{(behind|nearest)\}）|\{\w+\} だけ奥/);
+  }
 });

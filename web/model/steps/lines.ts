@@ -14,6 +14,15 @@ function part(line: DrawnLine, from: number, to: number): string {
 
 export const wholeLine = (line: DrawnLine): string => part(line, 0, 1);
 
+/**
+ * The side that the last of `position` steps asks about: its own line, or that of the next step
+ * that has one, to which its crossings belong.
+ */
+export function sideInQuestion(steps: readonly Step[], position: number): DrawnLine | undefined {
+  if (position === 0) return undefined;
+  return steps.slice(position - 1, position + 1000).find((step) => step.line)?.line;
+}
+
 /** The visible parts, and what lies between them. */
 export function pathsOf(line: DrawnLine): DrawnPaths {
   let visible = '';
