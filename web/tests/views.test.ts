@@ -7,7 +7,7 @@ import { parseLog, type Loop, type Step } from '../model/steps/log';
 import { defaultSettings } from '../model/settings';
 import { inkOn } from '../model/palette';
 import { crossings, depthOfPixel, segmentsOfRow } from '../model/steps/scan_line';
-import { nearest, placed, treeOf } from '../model/steps/tree';
+import { inQuestion, nearest, placed, treeOf } from '../model/steps/tree';
 import { bestView, viewsOf } from '../model/steps/views';
 import { header, text } from './samples/log';
 
@@ -96,6 +96,14 @@ describe('a tree', () => {
     expect(order).toEqual([2, 0, 3, 1]);
     expect(places.find((p) => p.node.node === 3)?.depth).toBe(2);
     expect(places.find((p) => p.node.node === 3)?.parent?.node.node).toBe(1);
+  });
+  it('asks for no node that is not made', () => {
+    const at = (position: number, number?: number, ...pieces: string[]) =>
+      inQuestion(treeOf(steps), position, number, new Set(pieces))?.node;
+    expect([at(0), at(2), at(4)]).toEqual([undefined, 1, 3]);
+    expect([at(4, 2), at(2, 2), at(2, undefined, '3'), at(4, undefined, '3')]).toEqual([
+      2, 1, 1, 3,
+    ]);
   });
   it('leaves out deep levels', () => {
     expect(placed(treeOf(steps), 3)).toHaveLength(3);

@@ -113,6 +113,21 @@ export function placed(tree: Tree, most = 400): Placed[] {
   return all;
 }
 
+/** Of the nodes after `position` steps: the one with this number or such a piece, else the last. */
+export function inQuestion(
+  tree: Tree,
+  position: number,
+  number: unknown,
+  pieces: ReadonlySet<string>,
+): TreeNode | undefined {
+  const made = [...tree.nodes.values()].filter((node) => node.made <= position);
+  return (
+    made.find((node) => node.node === number) ??
+    made.find((node) => node.pieces.some((piece) => pieces.has(piece))) ??
+    made.at(-1)
+  );
+}
+
 /** The place of the node in question; if it is left out, of its parent. Without one: the root's. */
 export function nearest(
   places: readonly Placed[],

@@ -93,6 +93,44 @@ it('refuses a run that would take too long, and goes on', async () => {
   await thePage().waitForSelector('.stack');
 });
 
+it('marks the side in question of a hidden-line algorithm, its hidden parts broken', async () => {
+  await open('#lang=en&scene=hidden/cycle.toml&algorithm=appel&step=3&size=160x120');
+  await thePage().waitForSelector('.stack path.side');
+  const paths = await thePage().$$eval('.stack svg path', (all) =>
+    all.map((path) => [path.getAttribute('class') ?? '', path.getAttribute('d') ?? '']),
+  );
+  const parts = (name: string) =>
+    paths.find(([found]) => found === name)![1]!.split('M').length - 1;
+  expect(await thePage().$eval('.sentence', (e) => e.textContent)).toContain('0, 1, 0');
+  expect([parts('side'), parts('side-hidden')]).toEqual([2, 1]);
+  // No polygon's outline lies over it.
+  expect(paths.slice(-1)[0]![0]).toBe('side');
+});
+
+it("names a tree's nodes and sides as the sentences do", async () => {
+  const tree = '#lang=en&scene=hidden/cycle.toml&algorithm=bsp&view=tree&size=160x120&step=';
+  const texts = () =>
+    thePage().$$eval('.second svg[role=img] text', (all) => all.map((text) => text.textContent));
+  await open(`${tree}4`);
+  await thePage().waitForSelector('.second text');
+  const sentence = await thePage().$eval('.sentence', (e) => e.textContent);
+  expect(sentence).toContain('Node 1 is in front of node 0, the plane of 2a.');
+  expect(await texts()).toEqual(['front', '0: 1', '1: 2a']);
+  await open(`${tree.replace('en', 'ja')}4`);
+  await thePage().waitForFunction(
+    () => document.querySelector('.second text')?.textContent === '表',
+  );
+  await open(`${tree}1`);
+  await thePage().waitForFunction(() =>
+    document.querySelector('.second')?.textContent?.includes('No node'),
+  );
+});
+
+it('shows a made node of a large tree beside another algorithm', async () => {
+  await open('#lang=en&scene=hidden/solids.toml&algorithm=bsp,z-buffer&step=200&size=64x48');
+  await thePage().waitForSelector('.second svg rect');
+});
+
 it.each([
   ['en', 'story=first', 'Hidden surfaces'],
   ['en', 'exhibit=hidden', 'Hidden surfaces'],
