@@ -75,8 +75,8 @@ std::optional<Question> ask_order(QuizRandom& random) {
             " no polygon covers one that lies before it; the other orders differ from the "
             "Z-buffer's picture in 150 pixels or more.",
         chosen +
-            " の順に塗れば、手前のポリゴンが後から塗りつぶされることはありません。ほかの順では、Z "
-            "バッファの画像と 150 画素以上が異なります。"};
+            " の順に塗れば、手前のポリゴンが後から塗りつぶされることはありません。ほかの順では、"
+            "Zバッファの画像と 150 画素以上が異なります。"};
     q.decided = {.algorithm = "newell", .step = context.steps("newell", Level::Polygon).size()};
     return q;
 }

@@ -101,8 +101,8 @@ std::optional<Question> ask_writes(QuizRandom& random) {
             "them in the order of their numbers. Rectangles {} lie over the marked pixel. How "
             "often is it written? Answer with a number.",
             list, words_of(over[at])),
-        fmt::format("長方形は視点に正対し、距離は(番号: 距離){} です。Z "
-                    "バッファは番号の順に描きます。印の画素には長方形 {} "
+        fmt::format("長方形は視点に正対し、距離は(番号: 距離){} です。Zバッファは"
+                    "番号の順に描きます。印の画素には長方形 {} "
                     "が重なっています。この画素は何回書き込まれますか。数で答えなさい。",
                     list, words_of(over[at]))};
     q.point = dvec2(x + 0.5, y + 0.5);
@@ -134,7 +134,7 @@ std::optional<Question> ask_spans(QuizRandom& random) {
         "divide it into sample spans. How many of these have at least one triangle over them? Hidden "
         "segments count. Answer with a number.",
         "印の走査線の上で、三角形の線分が始まり、終わります。その端を x "
-        "の順に並べると、走査線はサンプルスパンに分かれます。三角形が一つ以上重なるサンプルスパンはいくつ"
+        "の順にソートすると、走査線はサンプルスパンに分かれます。三角形が一つ以上重なるサンプルスパンはいくつ"
         "ですか。隠れた線分も数えます。数で答えなさい。"};
     q.row = row;
     q.answer = std::to_string(spans);

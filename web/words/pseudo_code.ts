@@ -164,11 +164,11 @@ sort out(list): | 整理(リスト): |
 for each polygon P: | 各ポリゴン P について: |
   for each pixel that P touches: | P が触れる各画素について: |
     mask := its points among 32 | マスク := 32 点のうち P が覆う点 |
-    add a fragment: mask, depth, colour | 断片を加える: マスク、奥行き、色 | fragments
+    add a fragment: mask, depth, colour | フラグメントを加える: マスク、奥行き、色 | fragments
 for each pixel: | 各画素について: |
-  sort its fragments near to far | 断片を手前から並べる |
+  sort its fragments near to far | フラグメントを手前からソートする |
   free := all 32 points | 残り := 32 点すべて |
-  for each fragment: | 各断片について: |
+  for each fragment: | 各フラグメントについて: |
     it gets its free points; take them away | 残りの点を取り、残りから除く | points
   colour := sum of the shares | 色 := 割合の和 |
 draw the polygon with the largest share | 割合が最大のポリゴンを描く | draw`,
@@ -193,7 +193,7 @@ walk the tree far to near: | 木を遠い順にたどる: |
   eye behind it: its front comes first | 視点が裏側なら表側が先 | eye-side.back eye-side.back-parallel
   give every piece a key: smaller is nearer | 各部分にキー: 小さいほど手前 | key
 for each line y, from the top: | 上から各走査線 y について: |
-  edges of all pieces, sorted in x | すべての辺を x で並べる | active-edges
+  edges of all pieces, sorted in x | すべての辺を x でソートする | active-edges
   leading edge: put its piece on the stack by key | 左の辺: 部分をキーの順にスタックへ |
   trailing edge: take its piece off | 右の辺: 部分をスタックから除く |
   the piece on top is seen from here | ここから一番上の部分が見える | surface-stack.top
@@ -204,7 +204,7 @@ contour edges: between a front and a back face | 輪郭線: 表と裏の面の�
 for each connected set of lines: | つながった線の組ごとに: |
   count the faces before a first corner | 最初の頂点で手前の面を数える |
   for each line from a known corner: | 数の分かった頂点から各線について: |
-    sort its crossings with contour edges | 輪郭線との交点を並べる |
+    sort its crossings with contour edges | 輪郭線との交点をソートする |
     number := that of the corner, or counted again | 数 := 頂点の数、または数え直した数 |
     a contour, in behind it: number up | 輪郭線の後ろに入ると数が増える | contour.more
     a contour, out from behind it: number down | 輪郭線の後ろから出ると数が減る | contour.fewer

@@ -66,7 +66,7 @@ export const report: Readonly<Record<keyof typeof english, string>> = {
   fate_3: '書き込み',
   time_how: '時間の見積もり方',
   time_text:
-    '下の機械について、カウンタに単価を掛けたもの。各段は同時に働くので、1 パスの時間は最も遅い段の時間。パスは順に進む。単価のないものは 0 とする。実測ではなく推定です。',
+    '下のマシンについて、カウンタに単価を掛けたもの。各段は同時に働くので、1 パスの時間は最も遅い段の時間。パスは順に進む。単価のないものは 0 とする。実測ではなく推定です。',
   price_count: 'カウンタ',
   price_stage: '段',
   price_nanoseconds: 'ナノ秒',

@@ -38,7 +38,7 @@ export const stories: readonly Story[] = [
       {
         at: 'farthest-corner.sorted',
         en: 'First it sorts the polygons by their farthest corners. The left view is the picture so far, the right one shows the scene from elsewhere. On the right margin the line of the algorithm is lit.',
-        ja: 'まず、最も遠い頂点でポリゴンを並べます。左はこれまでの画像、右は別の場所から見たシーンです。右端では、いま実行している行に色が付きます。',
+        ja: 'まず、最も遠い頂点でポリゴンをソートします。左はこれまでの画像、右は別の場所から見たシーンです。右端では、いま実行している行に色が付きます。',
       },
       {
         at: 'z-extents.no',
@@ -73,7 +73,7 @@ export const stories: readonly Story[] = [
       {
         at: 'begin',
         en: 'A painter begins with what is far and paints nearer things over it. The algorithm of this name sorts polygons by one distance each. Is one number enough?',
-        ja: '画家は遠いものから塗り、近いものを上に重ねます。この名のアルゴリズムは、ポリゴンごとに一つの距離で並べます。数一つで足りるでしょうか。',
+        ja: '画家は遠いものから塗り、近いものを上に重ねます。この名のアルゴリズムは、ポリゴンごとに一つの距離でソートします。数一つで足りるでしょうか。',
       },
       {
         at: 'distance.sorted',
@@ -128,7 +128,7 @@ export const stories: readonly Story[] = [
       {
         at: 'begin',
         en: 'The Z-buffer sorts nothing. It keeps a depth Z for every pixel, and a polygon is written where its own z is smaller.',
-        ja: 'Zバッファは何も並べません。画素ごとに奥行き Z を持ち、ポリゴンの z が小さい画素だけに書きます。',
+        ja: 'Zバッファは何もソートしません。画素ごとに奥行き Z を持ち、ポリゴンの z が小さい画素だけに書きます。',
       },
       {
         at: 'z-buffer',
