@@ -2,6 +2,7 @@
 // page; a model is drawn and computed by the page (models/). Does not import the texts, because the
 // build reads this table too.
 import type { Level } from '../model/steps/log';
+import type { Language } from '../words/language';
 
 export type SecondView = 'top' | 'side' | 'row' | 'depth' | 'tree' | 'list' | 'windows';
 
@@ -13,6 +14,8 @@ export interface RunFigure {
   readonly view: SecondView;
   /** The step at which it opens, as in a text (markup.ts); none: the last one. */
   readonly at?: string;
+  /** What it shows here; none: the algorithm's title. */
+  readonly title?: Readonly<Record<Language, string>>;
 }
 
 export const runs: Readonly<Record<string, RunFigure>> = {
@@ -109,6 +112,8 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     algorithm: 'back-face',
     size: '160x120',
     view: 'top',
+    at: 'draw/piece',
+    title: { en: 'Drawn in the order of the file', ja: 'ファイルの順に描く' },
   },
 };
 

@@ -7,6 +7,8 @@ import { ray } from '../articles/models/ray';
 import { shading } from '../articles/models/shading';
 import { volume } from '../articles/models/volume';
 import { windows } from '../articles/models/windows';
+import { placedNames } from '../articles/names';
+import { models } from '../articles/topics';
 
 /** Every spot moved to a few places, which are not on the lines of the others. */
 const placesOf = (model: Model): Spots[] => {
@@ -187,5 +189,28 @@ describe('the model of the exchange', () => {
     const of = (name: string) => Number(values[name]);
     expect(of('B1')).toBeCloseTo(1 + of('rho1') * of('F12') * of('B2'), 9);
     expect(of('B2')).toBeCloseTo(of('rho2') * of('F21') * of('B1'), 9);
+  });
+});
+
+describe('the names of points', () => {
+  const all = Object.entries(models).flatMap(([name, model]) =>
+    (['en', 'ja'] as const).map((language) => [name, language, model] as const),
+  );
+  it.each(all)('of %s do not cover each other, in %s', (_, language, model) => {
+    const [left, bottom, right, top] = model.box;
+    const scale = 640 / (right - left);
+    const points = Object.entries(model.spots).map(([name, [x, y]]) => ({
+      text: model.names[name]![language],
+      x: (x - left) * scale,
+      y: (top - y) * scale,
+    }));
+    const names = placedNames(points, [], 17, [640, (top - bottom) * scale]);
+    const halfOf = (text: string) => ((language === 'ja' ? 15 : 9) * text.length) / 2;
+    names.forEach((a, i) => {
+      for (const b of names.slice(i + 1)) {
+        const isAside = Math.abs(a.x - b.x) >= halfOf(a.text) + halfOf(b.text);
+        expect(isAside || Math.abs(a.y - b.y) >= 17, `${a.text} and ${b.text}`).toBe(true);
+      }
+    });
   });
 });

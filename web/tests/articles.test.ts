@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { labAddress, runs } from '../articles/figures';
 import { films } from '../articles/films';
-import { isRight } from '../articles/grade';
+import { gradeOf } from '../articles/grade';
 import { linesOf, lineOf, readArticle, type ArticleText, type Part } from '../articles/markup';
 import { facing } from '../articles/models/facing';
 import { keys } from '../articles/models/keys';
@@ -54,13 +54,18 @@ describe.each(ids)('the article %s', (id) => {
     }
   });
 
-  it('has 600 to 1,200 words, and three exercises with the same right answers', () => {
+  it('has 600 to 1,200 words, 1,800 to 3,600 signs in Japanese, and three exercises with the same right answers', () => {
     const words = linesOf(en)
       .map((line) => line.map((part) => ('text' in part ? part.text : '1')).join(''))
       .join(' ')
       .split(/\s+/).length;
     expect(words).toBeGreaterThanOrEqual(600);
     expect(words).toBeLessThanOrEqual(1200);
+    const signs = linesOf(ja)
+      .map((line) => line.map((part) => ('text' in part ? part.text : '1')).join(''))
+      .join('').length;
+    expect(signs).toBeGreaterThanOrEqual(1800);
+    expect(signs).toBeLessThanOrEqual(3600);
     const keys = (text: ArticleText) =>
       text.exercises.map(({ answers }) => answers.map(({ right }) => right));
     expect(en.exercises).toHaveLength(3);
@@ -294,7 +299,7 @@ describe('an answer', () => {
     ['', '0', false],
     ['x', '1', false],
   ])('%s for %s is right: %s', (given, wanted, right) => {
-    expect(isRight(given, wanted)).toBe(right);
+    expect(gradeOf(given, wanted) === 'right').toBe(right);
   });
 });
 
@@ -305,4 +310,11 @@ it('leads to its run in the lab, at the step that is shown', () => {
     expect(parts.get('scene')).toBe(`hidden/${run.scene}.toml`);
     expect(parts.get('step')).toBe('7');
   }
+});
+
+it('says on which side a wrong number is', () => {
+  expect(gradeOf('4', '3')).toBe('large');
+  expect(gradeOf('−4', '3')).toBe('small');
+  expect(gradeOf('2.9', '3.1')).toBe('small');
+  expect(gradeOf('three', '3')).toBe('none');
 });

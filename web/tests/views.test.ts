@@ -150,6 +150,18 @@ it('places names apart', () => {
       if (a !== b) expect(Math.abs(a.x - b.x) > 5 || Math.abs(a.y - b.y) > 10).toBe(true);
 });
 
+it('names an outline that is seen from its edge', () => {
+  const edge: Loop[] = [
+    [
+      [10, 50, 0],
+      [10, 90, 0],
+      [10, 70, 0],
+    ],
+  ];
+  expect(nameAt(edge, '1', 10)).toEqual([10, 41]);
+  expect(nameAt([], '1', 10)).toBeUndefined();
+});
+
 it('divides a line into what is seen and what is hidden', () => {
   const line = { from: [0, 0, 0], to: [10, 0, 0], visible: [[0.2, 0.5]] } as const;
   expect(pathsOf(line)).toEqual({ visible: 'M2 0L5 0', hidden: 'M0 0L2 0M5 0L10 0' });

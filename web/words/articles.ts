@@ -16,6 +16,9 @@ const english = {
   articles_check: 'Check',
   articles_right: 'Right.',
   articles_wrong: 'Not yet.',
+  articles_too_large: 'Not yet: too large.',
+  articles_too_small: 'Not yet: too small.',
+  articles_no_number: 'Type a number.',
   articles_score: '{0} of {1} solved',
   articles_rows: 'For those who have the lecture: rows of its slides',
 } as const;
@@ -37,6 +40,9 @@ const japanese: Readonly<Record<keyof typeof english, string>> = {
   articles_check: '確かめる',
   articles_right: '正解です。',
   articles_wrong: 'まだ違います。',
+  articles_too_large: 'まだ違います。大きすぎます。',
+  articles_too_small: 'まだ違います。小さすぎます。',
+  articles_no_number: '数を入れてください。',
   articles_score: '{1} 問のうち {0} 問が正解',
   articles_rows: '講義資料のある人へ：スライドの行',
 };

@@ -11,7 +11,8 @@ export interface Label {
 
 /** The middle of the largest loop's corners. */
 export function middleOf(outline: readonly Loop[]): [number, number] | undefined {
-  const loop = outline.reduce<Loop>((most, l) => (areaOf(l) > areaOf(most) ? l : most), []);
+  const [first, ...others] = outline;
+  const loop = others.reduce((most, l) => (areaOf(l) > areaOf(most) ? l : most), first ?? []);
   if (loop.length === 0) return undefined;
   const mean = (axis: 0 | 1) => loop.reduce((sum, p) => sum + p[axis], 0) / loop.length;
   return [mean(0), mean(1)];

@@ -170,12 +170,28 @@ describe.skipIf(gw === '')('the page', () => {
       await pages.page.waitForSelector('button.piece.lit');
     });
 
+    it('has the figure below its heading on a telephone, and names what a figure shows', async () => {
+      await open('article=visibility&lang=en', 390, 844);
+      await pages.page.waitForSelector('figure canvas');
+      const isAbove = await pages.page.$$eval('section.beside', (all) =>
+        all.map((section) => {
+          const top = (part: string) => section.querySelector(part)!.getBoundingClientRect().top;
+          return top('h2') < top('figure') && top('figure') < top('.text');
+        }),
+      );
+      expect(isAbove).toEqual(isAbove.map(() => true));
+      const [source] = await pages.textsOf('.source');
+      expect(source).toContain('Drawn in the order of the file');
+      // It opens before the picture is spoilt.
+      expect(await pages.textOf('.sentence')).toContain('1 is drawn');
+    });
+
     it('tells at once whether an answer is right, and counts', async () => {
       await open('article=back-faces&lang=en');
       await pages.page.waitForSelector('fieldset');
       await pages.page.type('fieldset input[type=text]', '1');
       await pages.page.keyboard.press('Enter');
-      expect(await pages.textOf('fieldset .feedback')).toContain('Not yet');
+      expect(await pages.textOf('fieldset .feedback')).toContain('Not yet: too large');
       await pages.page.$$eval('fieldset', (all) =>
         all.forEach((e) => e.querySelectorAll<HTMLElement>('input[type=radio]')[1]?.click()),
       );
