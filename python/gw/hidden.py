@@ -8,6 +8,7 @@
         for polygon in sorted(in_window, key=lambda p: -p["farthest"]):
             yield {"kind": "draw", "pieces": [str(polygon["id"])]}
     mine = gw.hidden.play(scene, painter)       # graded: mine.counts()["wrong"], mine.grades()
+    for spoilt in gw.hidden.blame(mine): print(spoilt["step"], spoilt["pixels"])
     gw.hidden.save_player(mine, "painter.html")
 """
 from __future__ import annotations
@@ -24,7 +25,7 @@ from ._gw import (Camera, Error, HiddenRun, Profile, Scene, hidden_algorithms,
 from ._gw import run_hidden as run
 from ._gw import write_file
 
-__all__ = ["algorithms", "run", "steps", "polygons", "play", "save_player"]
+__all__ = ["algorithms", "run", "steps", "polygons", "play", "blame", "save_player"]
 
 _MARK = "<!-- data -->"
 _MOST_STEPS = 2_000_000  # hiddensurface/interface/steps.h
@@ -79,6 +80,13 @@ def play(
         scene, "\n".join(lines) + "\n", name, width=width, height=height, profile=profile,
         camera=camera
     )
+
+
+def blame(run: HiddenRun) -> list[dict[str, Any]]:
+    """Who painted the wrong pixels last, by steps, as the end of a log has it (docs/step_logs.md)."""
+    end = json.loads(run.log().rstrip("\n").rpartition("\n")[2])
+    found: list[dict[str, Any]] = end.get("blame", [])
+    return found
 
 
 def save_player(run: HiddenRun, file: str | os.PathLike[str]) -> None:

@@ -251,6 +251,10 @@ def test_an_algorithm_in_python_is_played_and_graded(tmp_path):
     assert mine.name == "painter" and len(mine) > 0
     assert sum(row["expected"] for row in mine.grades()) == 80 * 60
     assert mine.counts()["wrong"] == np.count_nonzero(mine.difference == 4)
+    blame = gw.hidden.blame(mine)
+    assert sum(row["pixels"] for row in blame) == mine.counts()["wrong"] > 0
+    assert all(mine.ids[row["first"][1], row["first"][0]] == row["polygon"] for row in blame)
+    assert gw.hidden.blame(gw.hidden.run(scene, "z-buffer", width=80, height=60)) == []
     gw.hidden.save_player(mine, tmp_path / "player.html")
     assert (tmp_path / "player.html").stat().st_size > 10000
     with pytest.raises(gw.Error, match="nobody:1: "):
