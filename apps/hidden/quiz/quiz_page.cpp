@@ -57,12 +57,15 @@ std::string article_of(const hs::Question& question, std::size_t number, const Q
 
 std::string page_of(const QuizSheet& sheet, const hs::Bilingual& title, const std::string& name,
                     const std::string& body) {
+    const QuizHtml html{sheet.language};
+    const hs::Bilingual seed{fmt::format("seed {}", sheet.seed),
+                             fmt::format("問題集 {}", sheet.seed)};
     return fmt::format(
         "<!doctype html>\n<html lang=\"{5}\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
         "<style>{1}</style>\n<header>\n<h1>{0}</h1>\n<p>{2} &nbsp; "
-        "<small>seed {3}</small></p>\n</header>\n<main>\n{4}</main>\n</html>\n",
-        QuizHtml{sheet.language}.plain(title), style, name, sheet.seed, body,
+        "<small>{3}</small></p>\n</header>\n<main>\n{4}</main>\n</html>\n",
+        html.plain(title), style, name, html.spans(seed), body,
         sheet.language == QuizLanguage::Japanese ? "ja" : "en");
 }
 

@@ -87,7 +87,7 @@ TEST_F(QuizFiles, QuizIsAPageToPrint) {
         const std::string japanese = bytes_of(in("ja/" + page)),
                           english = bytes_of(in("en/" + page));
         EXPECT_EQ(japanese.find("lang=\"en\""), japanese.npos) << page;
-        for (const char* word : {"Answer with", "Picture", "scene:", "Corners"})
+        for (const char* word : {"Answer with", "seed ", "Picture", "scene:", "Corners"})
             EXPECT_EQ(japanese.find(word), japanese.npos) << word << " in " << page;
         EXPECT_EQ(english.find("\xE3\x80\x82"), english.npos) << page;  // the Japanese full stop
     }
