@@ -90,6 +90,7 @@ Json RayScene::by_passes(const scene::View& view) {
             passes.trace = [this, trace = itembuffer::tracing(scene_, rays)](
                                Machine& machine, const scene::Scene& now, const scene::View& seen,
                                const JitterState& jitter) {
+                drawn_ = seen;  // its far plane lies behind all shadow volumes
                 const double from = now_ms();
                 auto colors = trace(machine, now, seen, jitter);
                 tracing_ += now_ms() - from;
@@ -101,6 +102,7 @@ Json RayScene::by_passes(const scene::View& view) {
     }
     counts_ = {};
     tracing_ = 0;
+    asked_ = drawn_ = view;
     driver_->draw(view);
     return {{"counts", json_of(counts_)},
             {"milliseconds", now_ms() - begun},
@@ -122,8 +124,11 @@ Json RayScene::by_rays(const scene::View& view) {
 }
 
 const std::vector<std::uint32_t>& RayScene::identify(const scene::View& view) {
-    view_ = view;
-    ids_ = scene::draw_item_buffer(machine_, raytrace::drawn_scene(scene_), view, {});
+    const bool is_drawn = asked_.width == view.width && asked_.height == view.height &&
+                          asked_.eye_from_world == view.eye_from_world &&
+                          asked_.clip_from_eye == view.clip_from_eye;
+    view_ = is_drawn ? drawn_ : view;
+    ids_ = scene::draw_item_buffer(machine_, raytrace::drawn_scene(scene_), view_, {});
     return ids_;
 }
 

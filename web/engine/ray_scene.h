@@ -27,7 +27,8 @@ public:
     Json by_passes(const scene::View& view);
     /// The ordinary ray tracer's picture of the same view.
     Json by_rays(const scene::View& view);
-    /// The identifiers of the view, bottom row first. Overwrites the machine's planes.
+    /// The identifiers of the view, bottom row first: those that by_passes() traced, if it has drawn
+    /// this view. Overwrites the machine's planes.
     const std::vector<std::uint32_t>& identify(const scene::View& view);
     /// For identify()'s view. 1: the pixel's polygon reflects or transmits.
     std::vector<std::uint8_t> traced();
@@ -48,7 +49,8 @@ private:
     scene::Scene scene_;
     int depth_;
     raytrace::RayCounts counts_;
-    double tracing_ = 0;  ///< milliseconds
+    double tracing_ = 0;         ///< milliseconds
+    scene::View asked_, drawn_;  ///< by_passes()'s view, and as the passes drew it
     std::unique_ptr<multipass::Driver> driver_;
     std::shared_ptr<const raytrace::World> world_;
     scene::View view_;

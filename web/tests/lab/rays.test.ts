@@ -104,6 +104,16 @@ it('traces only the pixels that reflect, and counts both', async () => {
   expect(dark).toBeGreaterThanOrEqual(64 * 48 - item!);
 });
 
+it('counts as traced the pixels that the passes trace, behind whose planes shadows lie', async () => {
+  await open('#lang=en&exhibit=rays&size=320x240&scene=fig9.toml');
+  await thePage().waitForFunction(() => {
+    const number = (selector: string): string | undefined =>
+      /^[\d,]+/.exec(document.querySelector(selector)?.textContent?.trim() ?? '')?.[0];
+    const traced = number('figure.passes .below');
+    return traced !== undefined && traced === number('.costs tbody tr td');
+  });
+});
+
 it('follows the ray of the pixel under the mouse, and of both renderers', async () => {
   await begin('&scene=fig9.toml');
   expect(await text('.path h3')).toMatch(/^Pixel \d+, \d+: polygon \d+/);
