@@ -95,9 +95,10 @@ export function grouped(names: readonly string[], language: Language, rest: stri
   }));
   const known = new Set(groups.flatMap(({ scenes }) => scenes.map(({ name }) => name)));
   // The model of a scene that is there is not another scene.
-  const isModel = (name: string) => there.has(name.replace(/\.obj$/, '.toml'));
+  const isModel = (name: string): boolean =>
+    name.endsWith('.obj') && there.has(name.replace(/obj$/, 'toml'));
   const others = names
-    .filter((name) => !known.has(name) && (name.endsWith('.toml') || !isModel(name)))
+    .filter((name) => !known.has(name) && !isModel(name))
     .map((name) => ({ name, line: '' }));
   return [...found, { title: rest, scenes: others }].filter(({ scenes }) => scenes.length > 0);
 }
