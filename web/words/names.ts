@@ -180,7 +180,11 @@ depth test | デプステストで棄却
 killed: alpha test | アルファテストで棄却
 killed: stencil test | ステンシルテストで棄却
 killed: depth test | デプステストで棄却
-clear | 消去
+Clear | 消去
+Read | 読み出し
+Copy | 複写
+Accumulate | 累積
+SwapBuffers | バッファの交換
 geometry | 幾何
 pixels | 画素
 processor | プロセッサ
@@ -224,6 +228,11 @@ export function passName(name: string, language: Language): string {
 
 type Rows = readonly (readonly string[])[];
 
-/** The history of a pixel, as the machine's table has it: its heads and the fates below them. */
+/** The history of a pixel as the machine has it: heads, and in the rows pass and fate. */
 export const historyNames = (rows: Rows, language: Language): Rows =>
-  rows.map((row, i) => row.map((cell) => nameOf(i === 0 ? 'history' : 'word', cell, language)));
+  rows.map((row, i) =>
+    row.map((cell, j) => {
+      if (i === 0) return nameOf('history', cell, language);
+      return j === 0 ? passName(cell, language) : nameOf('word', cell, language);
+    }),
+  );
