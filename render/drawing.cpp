@@ -91,8 +91,10 @@ Drawing make_drawing(const Request& request, const Profile& profile, SceneInput 
     check_samples(request, profile);
     std::optional<multipass::PassList> passes = std::move(input.passes);
     std::optional<scene::Film> film = std::move(input.film);
+    const bool is_fitted = !input.scene.camera && !request.camera.eye && !request.camera.at;
     Drawing drawing{request, profile, scene_for(request, std::move(input))};
     drawing.film = std::move(film);
+    drawing.is_fitted = is_fitted;
     if (drawing.renderer().pass_owner == multipass::Renderer::Multipass)
         drawing.pass_list = std::move(passes);
     return drawing;

@@ -25,6 +25,7 @@ struct Drawing {
     std::optional<multipass::PassList> pass_list{};
     raytrace::RayCounts* counts = nullptr;  ///< the rays of each picture are added here
     std::optional<scene::Film> film{};      ///< of a scene that changes with time
+    bool is_fitted = false;                 ///< nobody gave a camera
 
     const Renderer& renderer() const { return renderer_named(request.renderer); }
     scene::View view() const;

@@ -4,6 +4,7 @@
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
+#include "scene/draw/fit.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +54,22 @@ std::string left_text(std::chrono::steady_clock::time_point begin, int drawn, in
     return fmt::format(", {:.0f} s left", std::ceil(spent.count() / drawn * left));
 }
 
+/// A camera that nobody gave sees the scene at all times of the film, whichever pictures are drawn.
+void fit_to_film(Drawing& drawing, const scene::Film& film) {
+    constexpr int poses = 65;
+    scene::Bounds all;
+    for (int i = 0; i < poses; ++i) {
+        film.pose(drawing.scene, film.seconds * i / (poses - 1));
+        const scene::Bounds box = scene::bounds(drawing.scene);
+        if (box.empty) continue;
+        scene::extend(all, box.low);
+        scene::extend(all, box.high);
+    }
+    const Size size = drawing.request.size;
+    drawing.scene.camera = scene::override_camera(scene::fit_camera(all, size.width, size.height),
+                                                  drawing.request.camera);
+}
+
 int first_missing(const FrameFiles& files, std::pair<int, int> first_last) {
     int number = first_last.first;
     while (number <= first_last.second && std::filesystem::exists(numbered(files.picture, number)))
@@ -68,6 +85,7 @@ void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& opt
     film.rate = options.rate.value_or(film.rate);
     film.shutter = options.shutter.value_or(film.shutter);
     film.instants = options.instants.value_or(film.instants);
+    if (drawing.is_fitted) fit_to_film(drawing, film);
     const Size size = drawing.request.size;
     const int last = options.first_last.second;
     for (int number = options.first_last.first; number <= last; ++number)
