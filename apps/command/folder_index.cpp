@@ -1,5 +1,6 @@
 #include "apps/command/folder_index.h"
 
+#include "apps/command/page_style.h"
 #include "gw/error.h"
 #include "image/plot/markup.h"
 
@@ -83,18 +84,14 @@ using plot::escaped;
 constexpr const char* mark = "<meta name=\"generator\" content=\"gw index\">";
 
 constexpr const char* style = R"(<style>
-:root { color-scheme: light dark }
-body { font-family: system-ui, sans-serif; max-width: 84em; margin: 1em auto; padding: 0 1em; line-height: 1.4; overflow-wrap: anywhere }
 nav a { margin-right: 1em; display: inline-block }
-section { margin-top: 2.5em; border-top: 1px solid #8888 }
-h2 small { font-weight: normal; opacity: .75 }
 .panels { display: flex; flex-wrap: wrap; gap: 1em; align-items: flex-start }
 figure { margin: 0; flex: 0 1 24em; min-width: 0; max-width: 100% }
 figure.plot { flex-basis: 45em; overflow-x: auto }
-figure.plot img { width: 45em }
-img { width: 100%; background: #fff }
+figure.plot img { width: 45em; max-width: none }
+img { width: 100% }
 code { display: block; font-size: 80%; margin: .4em 0 }
-.counts, .files { font-size: 80%; opacity: .85 }
+.counts, .files { font-size: 80%; color: var(--faint) }
 .files a { margin-right: .8em }
 @media print { section { break-inside: avoid } }
 </style>
@@ -262,12 +259,10 @@ std::string index_page(const FolderIndex& index, const PageWords& words) {
         links += fmt::format("<a href=\"#{}\">{}</a>\n", escaped(name), escaped(index[i].title));
         sections += section(index[i], name);
     }
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">{}\n<meta name=\"viewport\" "
-        "content=\"width=device-width\">\n<title>GW: {}</title>\n{}<h1>{}</h1>\n<p>{}</p>\n"
-        "<nav>{}</nav>\n{}</html>\n",
-        mark, escaped(words.title), style, escaped(words.title), escaped(words.text), links,
-        sections);
+    return page_begin("GW: " + words.title, mark) + style +
+           fmt::format("<p>{}</p>\n<nav aria-label=\"Pictures\">{}</nav>\n{}", escaped(words.text),
+                       links, sections) +
+           std::string(page_end);
 }
 
 bool is_index_page(const std::filesystem::path& file) {

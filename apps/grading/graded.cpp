@@ -1,5 +1,6 @@
 #include "apps/grading/graded.h"
 
+#include "apps/command/page_style.h"
 #include "gw/escape_controls.h"
 #include "image/plot/markup.h"
 
@@ -119,16 +120,8 @@ std::string table_row(const GradedSubmission& graded, std::size_t number, std::s
 }
 
 constexpr const char* class_style = R"(<style>
-:root { color-scheme: light dark }
-body { font-family: system-ui, sans-serif; max-width: 64em; margin: 1em auto; padding: 0 1em; line-height: 1.4; overflow-wrap: anywhere }
-main { overflow-x: auto }
-table { border-collapse: collapse }
-th, td { border-bottom: 1px solid #8888; padding: .3em .8em; text-align: left }
-.n { text-align: right; font-variant-numeric: tabular-nums }
-.right { border-left: 4px solid #009e73 }
-.not { border-left: 4px solid #d55e00 }
-section { margin-top: 2.5em; border-top: 1px solid #8888 }
-pre { white-space: pre-wrap }
+.right { border-left: 4px solid var(--right) }
+.not { border-left: 4px solid var(--wrong) }
 </style>
 )";
 
@@ -234,15 +227,15 @@ std::string class_page(const std::vector<GradedSubmission>& all,
         rows += table_row(all[i], i + 1, scenes.size());
         sections += section_of(all[i], i + 1);
     }
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-        "content=\"width=device-width\">\n<title>GW: grades / 成績</title>\n{}<main>\n<h1>{}</h1>\n"
-        "<p>{}: <a href=\"grades.csv\">grades.csv</a>, <a href=\"junit.xml\">junit.xml</a>; "
-        "Gradescope: students/NAME/results.json</p>\n<table>\n<thead><tr><th "
-        "scope=\"col\">{}</th><th scope=\"col\">{}</th>{}</tr></thead>\n"
-        "<tbody>\n{}</tbody>\n</table>\n{}</main>\n</html>\n",
-        class_style, said("Grades", "成績"), said("Also as", "ほかの形"), said("student", "学生"),
-        said("points", "得点"), head, rows, sections);
+    return page_begin("Grades / 成績") + class_style +
+           fmt::format(
+               "<p>{}: <a href=\"grades.csv\">grades.csv</a>, <a href=\"junit.xml\">junit.xml</a>; "
+               "Gradescope: students/NAME/results.json</p>\n<table>\n<thead><tr><th "
+               "scope=\"col\">{}</th><th scope=\"col\">{}</th>{}</tr></thead>\n"
+               "<tbody>\n{}</tbody>\n</table>\n{}",
+               said("Also as", "ほかの形"), said("student", "学生"), said("points", "得点"), head,
+               rows, sections) +
+           std::string(page_end);
 }
 
 }  // namespace gw::apps

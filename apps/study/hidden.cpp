@@ -2,6 +2,7 @@
 
 #include "apps/command/command.h"
 #include "apps/command/folder_index.h"
+#include "apps/command/page_style.h"
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/study/growth_plots.h"
@@ -125,15 +126,11 @@ public:
     void finish() {
         output_.add(options_.output / "index.html")
             .write_text(
-                "<!DOCTYPE html>\n"
-                "<html lang=\"en\"><meta charset=\"utf-8\"><title>Hidden surfaces: growth and "
-                "cost</title>\n"
-                "<style>body{font-family:sans-serif}pre{font-size:15px;overflow-x:auto}"
-                "img{width:min(100%,920px)}</style>\n"
-                "<h1>Hidden surfaces: growth and cost</h1>\n"
+                page_begin("Hidden surfaces: growth and cost") +
+                "<style>img{width:min(100%,920px)}pre{white-space:pre;overflow-x:auto}</style>\n"
                 "<p><a href=\"growth.csv\">growth.csv</a> <a href=\"laws.csv\">laws.csv</a> <a "
                 "href=\"costs.csv\">costs.csv</a></p>\n" +
-                page_ + "</html>\n");
+                page_ + std::string(page_end));
     }
 
 private:

@@ -1,3 +1,4 @@
+#include "apps/command/page_style.h"
 #include "apps/study/passes/plots.h"
 #include "image/plot/markup.h"
 
@@ -104,15 +105,9 @@ std::string measured_html(const PassStudy& study) {
 
 std::string page(const PassStudy& study) {
     std::string html =
-        "<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width\">\n<title>Passes and rays: " +
-        escaped(study.scene) +
-        "</title>\n<style>body{font-family:sans-serif;max-width:1100px;margin:1em auto;padding:0 1em}"
-        "img{width:min(100%,720px)}.wide{overflow-x:auto}table{border-collapse:collapse}"
-        "td,th{padding:2px 8px;text-align:right;border-bottom:1px solid #ccc}"
-        "td:last-child{text-align:left}pre{overflow-x:auto}</style>\n<h1>Passes and rays: " +
-        escaped(study.scene) +
-        "</h1>\n<p>One picture by passes, by an item buffer and by ordinary ray tracing. g is the "
+        apps::page_begin("Passes and rays: " + study.scene) +
+        "<style>img{width:min(100%,720px)}td,th{text-align:right}td:last-child{text-align:left}"
+        "</style>\n<p>One picture by passes, by an item buffer and by ordinary ray tracing. g is the "
         "share of the pixels whose reflections are traced. The paper says 3 to 5 times faster.</p>\n"
         "<p>Numbers: <a href=\"counts.csv\">counts.csv</a>, <a "
         "href=\"estimates.csv\">estimates.csv</a>, <a href=\"times.csv\">times.csv</a>, <a "
@@ -120,7 +115,7 @@ std::string page(const PassStudy& study) {
     html += methods_html(study) + table_html(table_of(study, render::no_sweep().name));
     for (const std::string& name : study.sweep_names())
         if (name != render::no_sweep().name) html += sweep_html(study, name);
-    return html + prices_html(study) + measured_html(study) + "</html>\n";
+    return html + prices_html(study) + measured_html(study) + std::string(apps::page_end);
 }
 
 }  // namespace gw::study
