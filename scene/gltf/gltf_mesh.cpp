@@ -113,7 +113,7 @@ private:
     }
 
     void check_normals(std::vector<vec3>& normals) {
-        const auto none = std::size_t(std::ranges::count(normals, vec3(0)));
+        const auto none = std::size_t(std::count(normals.begin(), normals.end(), vec3(0)));
         if (none == 0) return;
         const bool is_flat = 2 * none > normals.size();
         warn("NORMAL", std::to_string(none) + " of its normals have length 0: " +

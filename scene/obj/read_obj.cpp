@@ -301,9 +301,9 @@ Bounds box_of_most(const ObjData& obj) {
     for (int k = 0; k < 3 && !box.empty; ++k) {
         std::vector<float> along;
         for (const Corner& corner : obj.corners) along.push_back(obj.positions[corner.v][k]);
-        std::ranges::nth_element(along, along.begin() + end);
+        std::nth_element(along.begin(), along.begin() + end, along.end());
         box.low[k] = double(along[std::size_t(end)]);
-        std::ranges::nth_element(along, along.end() - 1 - end);
+        std::nth_element(along.begin(), along.end() - 1 - end, along.end());
         box.high[k] = double(*(along.end() - 1 - end));
     }
     return box;

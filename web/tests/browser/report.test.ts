@@ -166,7 +166,7 @@ describe.skipIf(gw === '')('a report', () => {
       expect(await pages.page.evaluate(() => document.documentElement.lang)).toBe('ja');
       expect(await pages.textOf('#tab-stencil')).toContain('ステンシル');
       expect(await pages.textOf('#facts')).toContain('推定時間');
-      expect(await heading()).toBe('3 ambient key');
+      expect(await heading()).toBe('3 環境光 key');
       expect(await pages.hash()).toContain('lang=ja');
       await pages.page.reload();
       await pages.page.waitForSelector('main');
@@ -230,7 +230,7 @@ describe.skipIf(gw === '')('a report', () => {
       await open('part');
       expect(await pages.page.evaluate(() => document.documentElement.lang)).toBe('ja');
       expect(await pages.page.$$('#timeline button')).toHaveLength(4);
-      expect(await heading()).toBe('2 count pixels');
+      expect(await heading()).toBe('2 画素を数える');
       await click('.language');
       expect(await pages.textOf('#history-note')).toContain('passes 3 to 4');
       await pages.page.keyboard.press('1');
