@@ -11,7 +11,8 @@ namespace {
 constexpr std::string_view own_style = R"(
 body { max-width: 84em; overflow-wrap: anywhere }
 table { border-collapse: collapse }
-th, td { border-bottom: 1px solid var(--line); padding: .25em .8em; text-align: left }
+th, td { border-bottom: 1px solid var(--line); padding: .25em .8em; text-align: left; overflow-wrap: normal }
+.wide { margin-bottom: 1em }
 .n { text-align: right; font-variant-numeric: tabular-nums }
 .wide, main > table { display: block; max-width: 100%; overflow-x: auto }
 section { margin-top: 2.5em; border-top: 1px solid var(--line) }
