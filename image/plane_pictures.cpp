@@ -110,6 +110,12 @@ Picture depth_colors(const std::vector<std::uint32_t>& depth, int width, int hei
     });
 }
 
+Picture part_colors(const std::vector<double>& parts, int width, int height) {
+    return painted(parts, width, height, [](double part) {
+        return part > 0 ? ramp(1 - std::min(part, 1.0)) : Color{0, 0, 0};
+    });
+}
+
 Picture stencil_colors(const std::vector<std::uint8_t>& stencil, int width, int height) {
     return painted(stencil, width, height, stencil_color);
 }

@@ -32,6 +32,10 @@ Change change_picture(const Picture& before, const Picture& after);
 /// largest value of `bits` bits (the background) is black.
 Picture depth_colors(const std::vector<std::uint32_t>& depth, int width, int height, int bits);
 
+/// False colours of parts of a whole: 1 and more red, 3/4 yellow, 1/2 green, 1/4 cyan, nearly 0 blue,
+/// linear between; 0 is black.
+Picture part_colors(const std::vector<double>& parts, int width, int height);
+
 /// False colours of stencil values: 0 is black; 1, 2, 3, ... are red, green, blue, yellow, cyan,
 /// magenta, white, then the same darker.
 Picture stencil_colors(const std::vector<std::uint8_t>& stencil, int width, int height);

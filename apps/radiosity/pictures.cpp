@@ -4,6 +4,7 @@
 #include "gw/base/elementary.h"
 #include "image/picture.h"
 #include "image/plane_pictures.h"
+#include "image/plot/markup.h"
 #include "image/write.h"
 #include "itembuffer/render.h"
 #include "itembuffer/traced_component.h"
@@ -16,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace gw::apps {
@@ -197,17 +199,36 @@ std::vector<dvec3> RadiosityPictures::drawn_values(const Solved& solved,
     return values;
 }
 
-/// A value of `red` and more is red; NAME.png of the stem. Returns a line about the scale.
+/// The colours of part_colors with their values.
+std::string scale_svg(double red, const std::string& what) {
+    std::string svg =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"460\" height=\"62\" "
+        "font-family=\"sans-serif\" font-size=\"13\" text-anchor=\"middle\">\n<rect width=\"460\" "
+        "height=\"62\" fill=\"#fff\"/>\n<linearGradient id=\"scale\">";
+    constexpr std::array colors{"#0000ff", "#00ffff", "#00ff00", "#ffff00", "#ff0000"};
+    std::string labels;
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+        const double part = double(i) / 4;
+        svg += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", part, colors[i]);
+        labels += fmt::format("<text x=\"{}\" y=\"50\">{:.4g}{}</text>\n", 40 + 380 * part,
+                              red * part, i == 0 ? " " + plot::escaped(what) : "");
+    }
+    return svg +
+           "</linearGradient>\n<rect x=\"40\" y=\"10\" width=\"380\" height=\"22\" "
+           "fill=\"url(#scale)\"/>\n" +
+           labels + "</svg>\n";
+}
+
+/// A value of `red` and more is red; NAME.png of the stem, and NAME_scale.svg. Returns a line about
+/// the scale.
 std::string RadiosityPictures::put_false(const std::vector<double>& values, double red,
                                          const scene::View& view, const std::filesystem::path& stem,
                                          const std::string& what, image::OutputSet& files) {
-    const std::uint32_t white = max_of_bits(profile_.color_bits);
-    std::vector<std::uint32_t> darkness;
-    for (const double value : values)
-        darkness.push_back(
-            white - std::uint32_t(std::min(double(white), red > 0 ? value / red * white : 0.0)));
+    std::vector<double> parts;
+    for (const double value : values) parts.push_back(red > 0 ? value / red : 0);
     image::put_picture(files.add(with_ending(stem, ".png")),
-                       image::depth_colors(darkness, view.width, view.height, profile_.color_bits));
+                       image::part_colors(parts, view.width, view.height));
+    files.add(with_ending(stem, "_scale.svg")).write_text(scale_svg(red, what));
     return fmt::format(
         "{}.png, {}: red {:.4g} and more, yellow {:.4g}, green {:.4g}, cyan {:.4g}, "
         "blue to black 0\n",

@@ -2,6 +2,8 @@
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 
+#include <algorithm>
+
 namespace gw::apps {
 namespace {
 
@@ -41,6 +43,33 @@ TEST_F(Lux, APointHasTheIntensityByTheSquareOfItsDistance) {
     for (const float v : read_pixels(in("out/picture_lux.exr")).values) EXPECT_NEAR(v, 400, 6);
     // A surface of reflectance 0.5 under white, one stop darker.
     for (const float v : read_pixels(in("out/picture.png")).values) EXPECT_NEAR(v, 0.25, 0.004);
+}
+
+/// Each pixel's colour is that of its value on the scale that is printed, whatever else is in view.
+TEST_F(Lux, FalseColoursAreThoseOfTheScale) {
+    std::string text = bytes_of(in("lux.toml"));
+    write("wide.toml", text.replace(text.find("fov = 2"), 7, "fov = 70"));
+    const Outcome outcome = gw({"radiosity", "wide.toml", "-o", "out", "--size", "24x24", "--lux"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const std::vector<float> lux = read_pixels(in("out/picture_lux.exr")).values;
+    const double red = double(*std::max_element(lux.begin(), lux.end()));
+    EXPECT_GT(red, 350);
+    EXPECT_LT(double(*std::min_element(lux.begin(), lux.end())), 300);
+    const Pixels colors = read_pixels(in("out/picture_lux.png"));
+    for (std::size_t i = 0; i < lux.size(); ++i) {
+        const double t = 1 - double(lux[i]) / red;  // 0 red, 1/4 yellow, 1/2 green
+        const auto channel = [](double v) { return std::clamp(v, 0.0, 1.0); };
+        EXPECT_NEAR(double(colors.values[3 * i]), channel(2 - 4 * t), 0.003) << lux[i];
+        EXPECT_NEAR(double(colors.values[3 * i + 1]), channel(t < 0.5 ? 4 * t : 4 - 4 * t), 0.003);
+        EXPECT_NEAR(double(colors.values[3 * i + 2]), channel(4 * t - 2), 0.003);
+    }
+    const std::string scale = bytes_of(in("out/picture_lux_scale.svg"));
+    const std::size_t printed = outcome.out.find("red ") + 4;
+    const std::string number =
+        outcome.out.substr(printed, outcome.out.find(' ', printed) - printed);
+    EXPECT_NEAR(std::stod(number), red, red * 1e-3);
+    EXPECT_NE(scale.find(">" + number + "<"), std::string::npos) << scale;
+    EXPECT_NE(scale.find(">0 lux<"), std::string::npos) << scale;
 }
 
 TEST_F(Lux, PassesShowTheSameLamp) {
