@@ -1,5 +1,5 @@
 // No page has barriers that axe-core finds: the pages as they open, and with all that they show.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { barriersOf } from '../barriers';
@@ -9,6 +9,7 @@ import { question } from '../samples/question';
 import { describePages } from './browser';
 
 const gw = process.env['GW'] ?? '';
+const scenes = process.env['GW_SCENES'] ?? '';
 const corners = [['1a', 1, 2, 0.5]] as const;
 
 describePages('axe-core finds nothing', (pages) => {
@@ -41,6 +42,27 @@ describePages('axe-core finds nothing', (pages) => {
       execFileSync(gw, ['quiz', out, '--quiet', '--seed', '3'], { stdio: 'ignore' });
       for (const page of ['handout/quiz.html', 'answers.html']) {
         await pages.page.goto(`file://${join(out, page)}`);
+        await nothing();
+      }
+    },
+    300_000,
+  );
+
+  it.skipIf(gw === '')(
+    'in indexes of folders and in grades',
+    async () => {
+      const index = join(pages.folder, 'index'),
+        grades = join(pages.folder, 'grades');
+      const scene = join(scenes, 'hidden/cycle.toml');
+      execFileSync(gw, ['hidden', scene, '--algorithm', 'newell', '--steps', index, '--quiet'], {
+        stdio: 'ignore',
+      });
+      const graded = join(scenes, '../examples/autograder/class');
+      spawnSync(gw, ['autograde', graded, '--scene', scene, '-o', grades, '--time', '1'], {
+        stdio: 'ignore',
+      });
+      for (const folder of [index, grades]) {
+        await pages.page.goto(`file://${join(folder, 'index.html')}`);
         await nothing();
       }
     },
