@@ -27,9 +27,11 @@ template <class T>
 T integer_of(double value, bool is_index) {
     constexpr double low = double(std::numeric_limits<T>::min());
     constexpr double high = double(std::numeric_limits<T>::max());
-    if (is_index)
-        return T(static_cast<std::int64_t>(std::floor(std::clamp(value, -0x1p62, 0x1p62) + 0.5)) &
-                 std::int64_t{std::numeric_limits<T>::max()});
+    if (is_index) {
+        const double nearest = std::clamp(value, -0x1p62, 0x1p62) + 0.5;
+        const auto whole = static_cast<std::int64_t>(nearest);
+        return T((whole - (double(whole) > nearest)) & std::int64_t{std::numeric_limits<T>::max()});
+    }
     if constexpr (std::is_unsigned_v<T>) {
         const double nearest = value * high + 0.5;
         return nearest >= 0 ? T(std::min(nearest, high)) : T(0);  // a cast is a floor here
