@@ -56,7 +56,7 @@ std::string left_text(std::chrono::steady_clock::time_point begin, int drawn, in
 
 /// A camera that nobody gave sees the scene at all times of the film, whichever pictures are drawn.
 void fit_to_film(Drawing& drawing, const scene::Film& film) {
-    constexpr int poses = 65;
+    constexpr int poses = 17;
     scene::Bounds all;
     for (int i = 0; i < poses; ++i) {
         film.pose(drawing.scene, film.seconds * i / (poses - 1));
@@ -85,7 +85,10 @@ void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& opt
     film.rate = options.rate.value_or(film.rate);
     film.shutter = options.shutter.value_or(film.shutter);
     film.instants = options.instants.value_or(film.instants);
-    if (drawing.is_fitted) fit_to_film(drawing, film);
+    if (drawing.is_fitted) {
+        progress.at("fitting the camera to the film");
+        fit_to_film(drawing, film);
+    }
     const Size size = drawing.request.size;
     const int last = options.first_last.second;
     for (int number = options.first_last.first; number <= last; ++number)

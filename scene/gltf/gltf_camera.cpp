@@ -1,11 +1,11 @@
 #include "scene/gltf/gltf_camera.h"
 
 #include "gw/base/elementary.h"
+#include "scene/draw/corners.h"
 #include "scene/gltf/gltf_material.h"
 #include "scene/text/number.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gw::scene {
@@ -77,9 +77,10 @@ struct LitPart {
 class LitSurfaces {
 public:
     LitSurfaces(const Scene& scene, const std::vector<GltfLight>& lights) : lights_(lights) {
+        for_each_triangle(
+            scene, [&](const WorldCorners&, const dvec3& twice) { area_ += length(twice) / 2; });
         for_each_triangle(scene,
-                          [&](const Corners&, const dvec3& twice) { area_ += length(twice) / 2; });
-        for_each_triangle(scene, [&](const Corners& at, const dvec3& twice) { add(at, twice); });
+                          [&](const WorldCorners& at, const dvec3& twice) { add(at, twice); });
     }
 
     /// The light beyond which a tenth of the surfaces lies. They count by their area and the root of
@@ -95,26 +96,21 @@ public:
     }
 
 private:
-    using Corners = std::array<dvec3, 3>;
     static constexpr double parts_in_all = 4096;
     static constexpr int most_divisions = 16;
 
     static void for_each_triangle(const Scene& scene, const auto& visit) {
         for (const Object& object : scene.objects) {
             if (object.mesh->kind() != MeshKind::Triangles) continue;
-            const std::vector<vec3>& positions = object.mesh->data().positions;
             for (const Triangle& t : object.mesh->triangles()) {
-                Corners at;
-                for (std::size_t k = 0; k < 3; ++k)
-                    at[k] =
-                        dvec3(object.world_from_object * dvec4(dvec3(positions[t.vertex[k]]), 1));
+                const WorldCorners at = world_corners(object, t);
                 const dvec3 twice = cross3(at[1] - at[0], at[2] - at[0]);
                 if (length(twice) > 0) visit(at, twice);
             }
         }
     }
     /// Divides a triangle into n n parts.
-    void add(const Corners& at, const dvec3& twice) {
+    void add(const WorldCorners& at, const dvec3& twice) {
         const double area = length(twice) / 2;
         const int n = int(std::clamp(std::ceil(std::sqrt(parts_in_all * area / area_)), 1.0,
                                      double(most_divisions)));

@@ -1,9 +1,8 @@
 #include "scene/validate/coincident.h"
 
-#include "gw/stages/vertex.h"
+#include "scene/draw/corners.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -16,25 +15,13 @@ constexpr double in_one_plane = 1e-6;
 /// Comparisons of triangles; a scene that needs more is not searched further.
 constexpr std::uint64_t most_comparisons = std::uint64_t{1} << 24;
 
-using Corners = std::array<dvec3, 3>;
-
 struct Faces {
     std::size_t object = 0;
     Bounds box;
     std::size_t count = 0;
 };
 
-Corners corners_of(const Object& object, const Triangle& t) {
-    Corners corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const vec3& p = object.mesh->data().positions[t.vertex[k]];
-        corners[k] = transform3(dmat3(object.world_from_object), dvec3(p)) +
-                     dvec3(object.world_from_object[3]);
-    }
-    return corners;
-}
-
-dvec3 unit_normal(const Corners& c) { return normalized(cross3(c[1] - c[0], c[2] - c[0])); }
+dvec3 unit_normal(const WorldCorners& c) { return normalized(cross3(c[1] - c[0], c[2] - c[0])); }
 
 double reach(const Bounds& box) {
     double most = 0;
@@ -50,7 +37,7 @@ bool apart(const Bounds& a, const Bounds& b, double tolerance) {
 }
 
 /// Whether the triangles share an area that is more than rounding: `b` is cut by a's sides.
-bool overlap(const Corners& a, const Corners& b, const dvec3& normal, double tolerance) {
+bool overlap(const WorldCorners& a, const WorldCorners& b, const dvec3& normal, double tolerance) {
     std::vector<dvec3> piece(b.begin(), b.end()), cut;
     for (std::size_t side = 0; side < 3; ++side) {
         const dvec3& from = a[side];
@@ -77,7 +64,7 @@ public:
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             Faces faces{i, {}, scene.objects[i].mesh->triangles().size()};
             for (const Triangle& t : scene.objects[i].mesh->triangles())
-                for (const dvec3& p : corners_of(scene.objects[i], t)) extend(faces.box, p);
+                for (const dvec3& p : world_corners(scene.objects[i], t)) extend(faces.box, p);
             if (faces.count > 0) list_.push_back(faces);
         }
     }
@@ -106,12 +93,12 @@ private:
         if (small.count > most_faces_of_small) return false;
         const Object &x = scene_.objects[small.object], &y = scene_.objects[other.object];
         for (const Triangle& s : x.mesh->triangles()) {
-            const Corners a = corners_of(x, s);
+            const WorldCorners a = world_corners(x, s);
             const dvec3 normal = unit_normal(a);
             if (normal == dvec3(0)) continue;
             for (const Triangle& t : y.mesh->triangles()) {
                 if (++compared_ > most_comparisons) return false;
-                const Corners b = corners_of(y, t);
+                const WorldCorners b = world_corners(y, t);
                 const bool in_plane = std::ranges::all_of(b, [&](const dvec3& p) {
                     return std::abs(dot3(normal, p - a[0])) <= tolerance_;
                 });

@@ -2,7 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
-#include "gw/stages/vertex.h"
+#include "scene/draw/corners.h"
 #include "scene/draw/nearest.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
@@ -10,7 +10,6 @@
 #include "scene/validate/shadow_maps.h"
 
 #include <algorithm>
-#include <array>
 
 namespace gw::scene {
 namespace {
@@ -58,7 +57,7 @@ std::string without_texcoords(const Scene& scene) {
 }
 
 /// Whether the ray from p along d, of any length, meets the triangle.
-bool meets(const dvec3& p, const dvec3& d, const std::array<dvec3, 3>& corners) {
+bool meets(const dvec3& p, const dvec3& d, const WorldCorners& corners) {
     const dvec3 u = corners[1] - corners[0], v = corners[2] - corners[0], n = cross3(d, v);
     const double det = dot3(u, n);
     if (det == 0) return false;
@@ -77,13 +76,10 @@ std::string spot_between_vertices(const Scene& scene) {
             const Object& object = scene.objects[i];
             if (!light.only.empty() && !light.only.contains(object.name)) continue;
             for (const Triangle& t : object.mesh->triangles()) {
-                std::array<dvec3, 3> corners;
-                bool is_lit = false;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const vec3& p = object.mesh->data().positions[t.vertex[k]];
-                    corners[k] = dvec3(object.world_from_object * dvec4(dvec3(p), 1));
-                    is_lit = is_lit || dot3(axis, normalized(corners[k] - place)) >= least;
-                }
+                const WorldCorners corners = world_corners(object, t);
+                const bool is_lit = std::ranges::any_of(corners, [&](const dvec3& p) {
+                    return dot3(axis, normalized(p - place)) >= least;
+                });
                 if (!is_lit && meets(place, axis, corners))
                     return "object " + name_in_quotes(scene, i) + " has no vertex in the cone of " +
                            (light.name.empty() ? "a spot"

@@ -12,14 +12,12 @@ namespace {
 class FilmCommand : public SceneTest {
 protected:
     /// A white square over pixels 4 .. 11 at picture 2, which moves 4 pixels from one to the next.
-    FilmCommand() {
-        write("film.toml", R"(
-[film]
-rate = 1
-[camera]
-eye = [0, 0, 5]
-ortho = 4
-[[object]]
+    FilmCommand() { write_film("film.toml", "[camera]\neye = [0, 0, 5]\northo = 4\n", "1"); }
+
+    /// The square goes from -x to x in pictures 1 to 3.
+    void write_film(const std::string& name, const std::string& camera,
+                    const std::string& x) const {
+        write(name, "[film]\nrate = 1\n" + camera + R"([[object]]
 name = "square"
 file = "quad.obj"
 material = {Ka = 0, Kd = 0, Ke = 1}
@@ -27,8 +25,8 @@ material = {Ka = 0, Kd = 0, Ke = 1}
 object = "square"
 key = "translate"
 times = [0, 2]
-values = [[-1, 0, 0], [1, 0, 0]]
-)");
+values = [[-)" + x + ", 0, 0], [" +
+                        x + ", 0, 0]]\n");
     }
     std::vector<int> row_of(const std::string& name) const {
         std::vector<int> row;
@@ -42,19 +40,7 @@ values = [[-1, 0, 0], [1, 0, 0]]
 
 /// Without a camera, the fitted one sees the whole film, whichever pictures are asked for.
 TEST_F(FilmCommand, FitsItsCameraToTheFilm) {
-    write("wide.toml", R"(
-[film]
-rate = 1
-[[object]]
-name = "square"
-file = "quad.obj"
-material = {Ka = 0, Kd = 0, Ke = 1}
-[[track]]
-object = "square"
-key = "translate"
-times = [0, 2]
-values = [[-9, 0, 0], [9, 0, 0]]
-)");
+    write_film("wide.toml", "", "9");
     EXPECT_EQ(render({"wide.toml", "-o", "a.png", "--film", "1-3"}).code, 0);
     std::vector<std::size_t> lit;
     for (const char* name : {"a_001.png", "a_002.png", "a_003.png"}) {

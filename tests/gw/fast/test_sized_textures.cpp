@@ -77,6 +77,16 @@ MeshData pole(Random& random) {
     return data;
 }
 
+/// Draws on both machines.
+void draw_alike(Workbench& bench, Draw draw) {
+    CommandList list;
+    list.add(SetState{bench.state});
+    list.add(Clear{.planes = all_planes});
+    list.add(std::move(draw));
+    bench.run(list);
+    bench.compare();
+}
+
 /// 600 textures on what `mesh` makes.
 void compare(MeshData (*mesh)(Random&)) {
     Random random(1);
@@ -89,12 +99,7 @@ void compare(MeshData (*mesh)(Random&)) {
         draw.map.texture = random.one_in(3)
                                ? noise_of(random, int(random.between(2049, 4096)), 3)
                                : noise_of(random, one_of(random, sides), one_of(random, sides));
-        CommandList list;
-        list.add(SetState{bench.state});
-        list.add(Clear{.planes = all_planes});
-        list.add(std::move(draw));
-        bench.run(list);
-        bench.compare();
+        draw_alike(bench, std::move(draw));
         if (testing::Test::HasFailure()) return;
     }
 }
@@ -119,12 +124,7 @@ void compare_volumes(MeshData (*mesh)(Random&)) {
         Draw draw{.mesh = make_mesh(std::move(data))};
         draw.map.texture = volume_of(random, one_of(random, sides), one_of(random, sides),
                                      int(random.between(1, 9)));
-        CommandList list;
-        list.add(SetState{bench.state});
-        list.add(Clear{.planes = all_planes});
-        list.add(std::move(draw));
-        bench.run(list);
-        bench.compare();
+        draw_alike(bench, std::move(draw));
         if (testing::Test::HasFailure()) return;
     }
 }
