@@ -1,9 +1,9 @@
 """Warnock's windows: which faces surround them and reach into them, on exact sides and depths."""
-from oracle.compare import Near, Oracle, of, window
+from oracle.compare import Foretold, Near, of, window
 from oracle.raster import faces_of, turn
 
 
-class Warnock(Oracle):
+class Warnock(Foretold):
     def __init__(self, run):
         super().__init__(run)
         faces = faces_of(run.header)
@@ -82,10 +82,4 @@ class Warnock(Oracle):
 
     @of("window empty", "window surrounded", "window one-face", "window divided", "window hidden")
     def expect(self, said):
-        kind, pieces, numbers = next(self.steps, (None, None, None))
-        if kind != (said.test, said.result) or pieces != said.pieces:
-            return f"expected is {kind} of {pieces} with {numbers}"
-        return numbers
-
-    def finish(self):
-        return ["steps are missing"] if next(self.steps, None) else []
+        return self.next_step(said)

@@ -218,3 +218,16 @@ class Oracle:
     def finish(self):
         """What is wrong after the last step: for instance, steps that are missing."""
         return []
+
+
+class Foretold(Oracle):
+    """Knows all steps beforehand: `steps` yields (test, result), pieces, numbers of each."""
+
+    def next_step(self, said):
+        kind, pieces, numbers = next(self.steps, (None, None, None))
+        if kind != (said.test, said.result) or pieces != said.pieces:
+            return f"expected is {kind} of {pieces} with {numbers}"
+        return numbers
+
+    def finish(self):
+        return ["steps are missing"] if next(self.steps, None) else []

@@ -2,7 +2,7 @@
 depths. Rows count upwards here, from the bottom, as the pyramid's cells do."""
 import math
 
-from oracle.compare import Between, Oracle, of
+from oracle.compare import Between, Foretold, of
 from oracle.stored_depths import all_triangles
 
 FEW, DEEPEST = 8, 10  # polygons of a cube that is not divided; divisions
@@ -65,7 +65,7 @@ class Pyramid:
         return cells, None
 
 
-class HierarchicalZ(Oracle):
+class HierarchicalZ(Foretold):
     def __init__(self, run):
         super().__init__(run)
         self.triangles = {}
@@ -155,10 +155,4 @@ class HierarchicalZ(Oracle):
         "pyramid-cube outside", "pyramid-polygon hidden", "pyramid-polygon hidden-by-cells",
         "pyramid-polygon may-be-seen", "pyramid-polygon outside", "draw nearer")
     def expect(self, said):
-        kind, pieces, numbers = next(self.steps, (None, None, None))
-        if kind != (said.test, said.result) or pieces != said.pieces:
-            return f"expected is {kind} of {pieces} with {numbers}"
-        return numbers
-
-    def finish(self):
-        return ["steps are missing"] if next(self.steps, None) else []
+        return self.next_step(said)
