@@ -42,6 +42,21 @@ std::function<void(const scene::View&)> rays_drawer(const Drawing& drawing, Mach
     };
 }
 
+scene::CameraOverrides camera_in(const Request& request, const dvec3& origin) {
+    scene::CameraOverrides camera = request.camera;
+    if (camera.eye) *camera.eye -= origin;
+    if (camera.at) *camera.at -= origin;
+    return camera;
+}
+
+/// What the request says of the camera counts at all times of a film.
+void keep_camera(scene::Film& film, const scene::CameraOverrides& camera) {
+    film.pose = [camera, pose = film.pose](scene::Scene& scene, double time) {
+        pose(scene, time);
+        if (scene.camera) scene.camera = scene::override_camera(*scene.camera, camera);
+    };
+}
+
 }  // namespace
 
 scene::View Drawing::view() const {
@@ -74,14 +89,11 @@ std::unique_ptr<Machine> make_machine(const Request& request, const Profile& pro
 }
 
 scene::Scene scene_for(const Request& request, SceneInput input) {
-    scene::CameraOverrides camera = request.camera;
-    if (camera.eye && camera.eye == camera.at)
+    if (request.camera.eye && request.camera.eye == request.camera.at)
         throw OptionError("at is the eye; expected another point");
-    if (camera.eye) *camera.eye -= input.origin;
-    if (camera.at) *camera.at -= input.origin;
     scene::Scene scene = std::move(input.scene);
     scene::add_defaults(scene, request.size.width, request.size.height);
-    scene.camera = scene::override_camera(*scene.camera, camera);
+    scene.camera = scene::override_camera(*scene.camera, camera_in(request, input.origin));
     for (scene::Light& light : scene.lights)
         if (request.shadow && light.shadow != scene::Shadow::None) light.shadow = *request.shadow;
     return scene;
@@ -90,10 +102,11 @@ scene::Scene scene_for(const Request& request, SceneInput input) {
 Drawing make_drawing(const Request& request, const Profile& profile, SceneInput input) {
     check_samples(request, profile);
     std::optional<multipass::PassList> passes = std::move(input.passes);
-    std::optional<scene::Film> film = std::move(input.film);
+    std::vector<scene::Film> films = std::move(input.films);
     const bool is_fitted = !input.scene.camera && !request.camera.eye && !request.camera.at;
     Drawing drawing{request, profile, scene_for(request, std::move(input))};
-    drawing.film = std::move(film);
+    drawing.films = std::move(films);
+    for (scene::Film& film : drawing.films) keep_camera(film, camera_in(request, input.origin));
     drawing.is_fitted = is_fitted;
     if (drawing.renderer().pass_owner == multipass::Renderer::Multipass)
         drawing.pass_list = std::move(passes);

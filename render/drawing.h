@@ -24,7 +24,7 @@ struct Drawing {
     /// Instead of the renderer's, which must have passes.
     std::optional<multipass::PassList> pass_list{};
     raytrace::RayCounts* counts = nullptr;  ///< the rays of each picture are added here
-    std::optional<scene::Film> film{};      ///< of a scene that changes with time
+    std::vector<scene::Film> films{};       ///< scene::SceneFile::films
     bool is_fitted = false;                 ///< nobody gave a camera
 
     const Renderer& renderer() const { return renderer_named(request.renderer); }
@@ -37,7 +37,7 @@ struct SceneInput {
     std::optional<multipass::PassList> passes{};  ///< the scene's own
     /// scene::SceneFile::origin, if the request's points are the file's.
     dvec3 origin{0};
-    std::optional<scene::Film> film{};
+    std::vector<scene::Film> films{};  ///< scene::SceneFile::films
 };
 
 /// The scene as the request wants it: a camera and a light are added if it lacks them, its camera

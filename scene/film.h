@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace gw::scene {
@@ -30,6 +31,7 @@ struct Keys {
 };
 
 struct Film {
+    std::string name;    ///< of glTF's animation; else empty
     double rate = 24;    ///< pictures a second
     double shutter = 0;  ///< how long it is open, of the time from one picture to the next, 0 .. 1
     int instants = 8;    ///< pictures superposed while it is open

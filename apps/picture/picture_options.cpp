@@ -62,12 +62,12 @@ render::SceneInput read_input(const PictureOptions& options, Session& session) {
     std::vector<std::string> lines = std::move(file.warnings);
     for (std::string& line : image::load_textures(file.scene)) lines.push_back(std::move(line));
     scene::Warnings warnings;
-    scene::finish(file.scene, file.film, warnings);
+    scene::finish(file.scene, file.films, warnings);
     for (const std::string& line : warnings.lines()) lines.push_back(line);
     if (!options.quiet) print_warnings(lines);
     for (const std::filesystem::path& read : file.files) session.inputs.add(read);
     add_textures(session.inputs, file.scene);
-    return {std::move(file.scene), std::move(passes), file.origin, std::move(file.film)};
+    return {std::move(file.scene), std::move(passes), file.origin, std::move(file.films)};
 }
 
 scene::Scene ready_scene(const PictureOptions& options, render::SceneInput input) {

@@ -5,9 +5,11 @@
 #include "image/output/output_set.h"
 #include "image/write.h"
 #include "scene/draw/fit.h"
+#include "scene/text/suggest.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -77,11 +79,42 @@ int first_missing(const FrameFiles& files, std::pair<int, int> first_last) {
     return number;
 }
 
+/// "0 'walk', 1 'run' or 2"
+std::string names_of(const std::vector<scene::Film>& films) {
+    std::string text;
+    for (std::size_t i = 0; i < films.size(); ++i) {
+        const bool is_last = i + 1 == films.size();
+        text += fmt::format("{}{}", i == 0 ? "" : is_last ? " or " : ", ", i);
+        if (!films[i].name.empty()) text += " '" + scene::printable(films[i].name) + "'";
+    }
+    return text;
+}
+
+/// The film of the animation that was asked for; the first one, with a warning if there are others.
+const scene::Film& chosen(const Drawing& drawing, const FilmOptions& options) {
+    const std::string& animation = options.animation;
+    const std::vector<scene::Film>& films = drawing.films;
+    const std::string file = drawing.request.scene.string();
+    if (animation.empty()) {
+        if (films.size() > 1 && !options.quiet)
+            print_warning(fmt::format("{}: has {} animations; 0 is drawn; --animation takes {}",
+                                      file, films.size(), names_of(films)));
+        return films.front();
+    }
+    const auto named = std::ranges::find(films, animation, &scene::Film::name);
+    if (named != films.end()) return *named;
+    for (std::size_t i = 0; i < films.size(); ++i)
+        if (animation == std::to_string(i)) return films[i];
+    throw Error(file, 0,
+                fmt::format("has no animation '{}'; expected {}", scene::printable(animation),
+                            names_of(films)));
+}
+
 }  // namespace
 
 void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& options,
                Progress& progress, const Session& session) {
-    scene::Film film = *drawing.film;
+    scene::Film film = chosen(drawing, options);
     film.rate = options.rate.value_or(film.rate);
     film.shutter = options.shutter.value_or(film.shutter);
     film.instants = options.instants.value_or(film.instants);

@@ -4,6 +4,7 @@
 #include "apps/render/frame_files.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace gw::apps {
@@ -12,12 +13,15 @@ class Progress;
 
 struct FilmOptions {
     std::pair<int, int> first_last{1, 1};
+    std::string animation{};              ///< its name or number from 0; empty: the first
     std::optional<double> rate, shutter;  ///< instead of the scene's
     std::optional<int> instants;
+    bool quiet = false;  ///< no warnings
     bool go_on = false;  ///< begins at the first picture whose file is missing
 };
 
-/// Each picture is finished before the next is begun. The film is the drawing's. Throws Error.
+/// Each picture is finished before the next is begun. The films are the drawing's: at least one.
+/// Throws Error.
 void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& options,
                Progress& progress, const Session& session);
 

@@ -62,6 +62,10 @@ void add_film_options(CLI::App& command, RenderOptions& options) {
         .add_option("--film", options.film,
                     "Pictures A to B of a scene that changes with time, as IMAGE_001 ...")
         ->type_name("A-B");
+    command
+        .add_option("--animation", film.animation,
+                    "Which of glTF's animations is the film (default: the first, 0)")
+        ->type_name("NAME|N");
     const auto add_number = [&](const char* name, std::optional<double>& field, double low,
                                 double high, const char* about) {
         command
@@ -155,9 +159,11 @@ std::pair<int, int> frames_of(const RenderOptions& options) {
 
 void check_film(const RenderOptions& options) {
     const FilmOptions& film = options.film_options;
-    const bool needs_film = film.rate || film.shutter || film.instants || film.go_on;
+    const bool needs_film =
+        film.rate || film.shutter || film.instants || film.go_on || !film.animation.empty();
     if (options.film.empty() && needs_film)
-        throw UsageError("--rate, --shutter, --instants or --continue without --film; expected it");
+        throw UsageError(
+            "--animation, --rate, --shutter, --instants or --continue without --film; expected it");
     if (options.film.empty()) return;
     if (options.turntable > 0) throw UsageError("--film with --turntable; expected one of them");
     range_from("--film", options.film, 1, most_film_pictures);
@@ -213,8 +219,9 @@ int render(const RenderOptions& options, Session& session) {
     progress.at("drawing");
     if (!options.film.empty()) {
         FilmOptions film = options.film_options;
+        film.quiet = options.picture.quiet;
         film.first_last = range_from("--film", options.film, 1, most_film_pictures);
-        if (!drawing.film)
+        if (drawing.films.empty())
             throw Error(options.picture.scene.string(), 0,
                         "is no film; expected a scene with [[track]], or glTF with animations");
         draw_film(drawing, options.files, film, progress, session);

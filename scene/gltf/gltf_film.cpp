@@ -132,40 +132,44 @@ dmat4 visible(dmat4 m) {
     return m;
 }
 
+/// The scene at rest, which all films of a file share.
+struct Rest {
+    std::vector<GltfNode> nodes;
+    GltfHolders holders;
+    dvec3 origin;
+};
+
 class NodePosing {
 public:
-    NodePosing(std::vector<GltfNode> nodes, GltfHolders holders, std::vector<Channel> channels,
-               const dvec3& origin)
-        : nodes_(std::move(nodes)),
-          holders_(std::move(holders)),
-          channels_(std::move(channels)),
-          origin_(origin) {}
+    NodePosing(std::shared_ptr<const Rest> rest, std::vector<Channel> channels)
+        : rest_(std::move(rest)), channels_(std::move(channels)) {}
 
     void operator()(Scene& scene, double time) const {
-        std::vector<GltfNode> nodes = nodes_;
+        std::vector<GltfNode> nodes = rest_->nodes;
+        const GltfHolders& holders = rest_->holders;
         for (const Channel& channel : channels_)
             if (channel.path != Channel::Weights) set(nodes[channel.node].place, channel, time);
         place_in_world(nodes);
-        for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(origin_, 0);
-        for (std::size_t i = 0; i < holders_.objects.size() && i < scene.objects.size(); ++i)
+        for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(rest_->origin, 0);
+        for (std::size_t i = 0; i < holders.objects.size() && i < scene.objects.size(); ++i)
             scene.objects[i].world_from_object =
-                visible(nodes[holders_.objects[i]].world_from_node * holders_.node_from_object[i]);
-        for (const GltfShaped& shaped : holders_.shaped)
+                visible(nodes[holders.objects[i]].world_from_node * holders.node_from_object[i]);
+        for (const GltfShaped& shaped : holders.shaped)
             if (shaped.object < scene.objects.size())
                 reshape(scene.objects[shaped.object], shaped, nodes, time);
-        for (std::size_t i = 0; i < holders_.lights.size() && i < scene.lights.size(); ++i) {
-            const dmat4& world = nodes[holders_.lights[i]].world_from_node;
+        for (std::size_t i = 0; i < holders.lights.size() && i < scene.lights.size(); ++i) {
+            const dmat4& world = nodes[holders.lights[i]].world_from_node;
             scene.lights[i].position = vec3(dvec3(world[3]));
             scene.lights[i].direction = light_direction(world);
         }
-        if (holders_.camera && scene.camera)
-            place_camera(*scene.camera, nodes[*holders_.camera].world_from_node);
+        if (holders.camera && scene.camera)
+            place_camera(*scene.camera, nodes[*holders.camera].world_from_node);
     }
 
 private:
     void reshape(Object& object, GltfShaped shaped, const std::vector<GltfNode>& nodes,
                  double time) const {
-        shaped.base -= origin_;
+        shaped.base -= rest_->origin;
         for (const Channel& channel : channels_)
             if (channel.path == Channel::Weights && channel.node == shaped.node)
                 shaped.weights = channel.keys.at(time);
@@ -177,40 +181,51 @@ private:
         if (shaped.skin) object.world_from_object = translation(shaped.base);
     }
 
-    std::vector<GltfNode> nodes_;
-    GltfHolders holders_;
+    std::shared_ptr<const Rest> rest_;
     std::vector<Channel> channels_;
-    dvec3 origin_;
 };
 
-}  // namespace
-
-std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vector<GltfNode>& nodes,
-                                   const GltfHolders& holders, const dvec3& origin) {
-    const std::size_t count = document.count("animations");
-    if (count == 0) return std::nullopt;
-    if (count > 1)
-        document.warn("animations",
-                      "has " + std::to_string(count) + " animations; animations[0] is played");
-    const std::vector<std::size_t> placed = places_of(document, nodes);
-    const JsonValue animation = document.root().at("animations")[0];
+/// Adds the numbers of its keys to `numbers`.
+std::vector<Channel> read_channels(const GltfDocument& document, const JsonValue& animation,
+                                   const std::vector<std::size_t>& placed, std::size_t& numbers) {
     const JsonValue list = animation.at("channels");
-    Film film;
     std::vector<Channel> channels;
-    std::size_t numbers = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
         auto channel = read_channel(document, animation, list[i], placed);
         if (!channel) continue;
-        film.seconds = std::max(film.seconds, channel->keys.times.back());
         numbers += channel->keys.times.size() + 3 * channel->keys.values.size();
         if (numbers > most_gltf_numbers)
             list[i].fail("and those before it have more than " + std::to_string(most_gltf_numbers) +
                          " numbers; expected fewer");
         channels.push_back(std::move(*channel));
     }
-    if (channels.empty()) return std::nullopt;
-    film.pose = NodePosing(nodes, holders, std::move(channels), origin);
-    return film;
+    return channels;
+}
+
+}  // namespace
+
+std::vector<Film> read_gltf_films(const GltfDocument& document, const std::vector<GltfNode>& nodes,
+                                  const GltfHolders& holders, const dvec3& origin) {
+    const std::size_t count = document.count("animations");
+    if (count == 0) return {};
+    const std::vector<std::size_t> placed = places_of(document, nodes);
+    const auto rest = std::make_shared<const Rest>(Rest{nodes, holders, origin});
+    std::vector<Film> films;
+    std::size_t numbers = 0;
+    bool moves = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const JsonValue animation = document.root().at("animations")[i];
+        const auto name = animation.find("name");
+        Film film{.name = name ? name->text() : ""};
+        std::vector<Channel> channels = read_channels(document, animation, placed, numbers);
+        for (const Channel& channel : channels)
+            film.seconds = std::max(film.seconds, channel.keys.times.back());
+        moves = moves || !channels.empty();
+        film.pose = NodePosing(rest, std::move(channels));
+        films.push_back(std::move(film));
+    }
+    if (!moves) return {};
+    return films;
 }
 
 }  // namespace gw::scene

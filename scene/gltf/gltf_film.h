@@ -1,5 +1,4 @@
-// Animations of nodes and of weights of morph targets [GLTF2 3.11] as a film: the first one of the
-// file. Does not read what they move.
+// Animations of nodes and of weights of morph targets [GLTF2 3.11] as films. Does not read what they move.
 #pragma once
 
 #include "scene/film.h"
@@ -17,8 +16,9 @@ struct GltfHolders {
     std::vector<GltfShaped> shaped;  ///< objects whose vertices move
 };
 
-/// None if nothing is animated. The scene is counted from `origin`. Throws Error at the value's place.
-std::optional<Film> read_gltf_film(const GltfDocument& document, const std::vector<GltfNode>& nodes,
-                                   const GltfHolders& holders, const dvec3& origin);
+/// One for each animation, in the file's order; none if nothing is animated. The scene is counted
+/// from `origin`. Throws Error at the value's place.
+std::vector<Film> read_gltf_films(const GltfDocument& document, const std::vector<GltfNode>& nodes,
+                                  const GltfHolders& holders, const dvec3& origin);
 
 }  // namespace gw::scene

@@ -72,8 +72,8 @@ public:
         add_lights();
         warn_invisible(scene, document_.file(), document_.warnings());
         const dvec3 origin = place();
-        std::optional<Film> film = read_gltf_film(document_, nodes_, holders_, origin);
-        return {std::move(scene), origin, std::move(film)};
+        std::vector<Film> films = read_gltf_films(document_, nodes_, holders_, origin);
+        return {std::move(scene), origin, std::move(films)};
     }
 
 private:

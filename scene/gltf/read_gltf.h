@@ -7,14 +7,14 @@
 #include "scene/text/warnings.h"
 
 #include <filesystem>
-#include <optional>
+#include <vector>
 
 namespace gw::scene {
 
 struct GltfFile {
     Scene scene;
     dvec3 origin{0};  ///< the scene's coordinates are the file's minus this (geometry/far.h)
-    std::optional<Film> film;
+    std::vector<Film> films;
 };
 
 /// Throws Error "FILE: PLACE is WHAT; expected WHAT", where PLACE is a path in its JSON.

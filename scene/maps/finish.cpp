@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <tuple>
 #include <utility>
 
 namespace gw::scene {
@@ -163,19 +165,22 @@ void finish_objects(Scene& scene, Warnings& warnings) {
 }  // namespace
 
 void finish(Scene& scene, Warnings& warnings) {
-    std::optional<Film> none;
+    std::vector<Film> none;
     finish(scene, none, warnings);
 }
 
-void finish(Scene& scene, std::optional<Film>& film, Warnings& warnings) {
+void finish(Scene& scene, std::vector<Film>& films, Warnings& warnings) {
     choose_opacity_channels(scene);
     apply_metal_maps(scene, warnings);
     unfold_mirrored(scene, warnings);
-    if (film)
-        film->pose = [objects = scene.objects, materials = scene.materials, pose = film->pose](
-                         Scene& posed, double time) {
-            posed.objects = objects;
-            posed.materials = materials;
+    const auto whole =
+        films.empty()
+            ? nullptr
+            : std::make_shared<const std::pair<std::vector<Object>, std::vector<Material>>>(
+                  scene.objects, scene.materials);
+    for (Film& film : films)
+        film.pose = [whole, pose = film.pose](Scene& posed, double time) {
+            std::tie(posed.objects, posed.materials) = *whole;
             pose(posed, time);
             Warnings said_before;
             finish_objects(posed, said_before);

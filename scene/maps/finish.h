@@ -7,12 +7,12 @@
 #include "scene/scene.h"
 #include "scene/text/warnings.h"
 
-#include <optional>
+#include <vector>
 
 namespace gw::scene {
 
-/// Once, after image::load_textures. A film cuts the scene anew at each time.
-void finish(Scene& scene, std::optional<Film>& film, Warnings& warnings);
+/// Once, after image::load_textures. Films cut the scene anew at each time.
+void finish(Scene& scene, std::vector<Film>& films, Warnings& warnings);
 void finish(Scene& scene, Warnings& warnings);
 
 }  // namespace gw::scene

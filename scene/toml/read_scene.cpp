@@ -42,7 +42,7 @@ SceneFile read_bare_gltf(const std::filesystem::path& path) {
     Warnings warnings;
     GltfFile file = read_gltf(path, warnings);
     return {std::move(file.scene), warnings.lines(), {},
-            warnings.files(),      file.origin,      std::move(file.film)};
+            warnings.files(),      file.origin,      std::move(file.films)};
 }
 
 struct Format {

@@ -7,7 +7,6 @@
 #include "scene/toml/toml_value.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +25,8 @@ struct SceneFile {
     /// The scene's coordinates are the files' minus this: 0 unless these lie far from 0, as map
     /// coordinates do (scene/geometry/far.h).
     dvec3 origin{0};
-    std::optional<Film> film{};  ///< of a scene that changes with time
+    /// Of a scene that changes with time: one of TOML, one for each animation of glTF.
+    std::vector<Film> films{};
 };
 
 /// Reads a TOML scene (.toml), a bare Wavefront OBJ (.obj; no lights, no camera) or glTF 2.0 (.gltf,

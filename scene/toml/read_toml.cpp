@@ -116,9 +116,10 @@ SceneFile read_toml(const std::filesystem::path& path) {
     }
     warn_invisible(scene, path.string(), warnings);
     warnings.add_file(path);
-    std::optional<Film> moving = read_film(film, tracks, scene, origin);
+    std::vector<Film> films;
+    if (auto moving = read_film(film, tracks, scene, origin)) films.push_back(*std::move(moving));
     SceneFile result{std::move(scene), warnings.lines(), {},
-                     warnings.files(), origin,           std::move(moving)};
+                     warnings.files(), origin,           std::move(films)};
     for (const TomlValue* pass : passes) result.passes.push_back(*pass);
     check_passes(result.passes, reader.names());
     return result;

@@ -244,7 +244,7 @@ const TomlObjects::SourceFile& TomlObjects::gltf_of(const ObjectTable& object,
     };
     leave_out(read.scene.camera.has_value(), "its camera is");
     leave_out(read.scene.white > 0, "its lights are");
-    leave_out(read.film.has_value(), "its animation is");
+    leave_out(!read.films.empty(), "its animations are");
     return files_.try_emplace(key, path.string(), std::move(read)).first->second;
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 namespace gw::scene {
 namespace {
@@ -88,6 +89,24 @@ std::string light_text(const Light& light) {
            "\nIs = " + text_of(dvec3(light.Is.value_or(light.Id))) + "\n";
 }
 
+/// The base's film moves the base's camera and lights: the view's own stay, and lights that are off
+/// are off at all times.
+void keep_view(Film& film, const std::vector<Light>& base_lights, const std::set<std::size_t>& off,
+               bool own_camera) {
+    film.pose = [base_lights, off, own_camera, pose = film.pose](Scene& scene, double time) {
+        const std::optional<Camera> camera = scene.camera;
+        std::vector<Light> shown = std::exchange(scene.lights, base_lights);
+        std::vector<std::size_t> places;  // in the base, of the first of those shown
+        for (std::size_t i = 0; i < base_lights.size(); ++i)
+            if (!off.contains(i)) places.push_back(i);
+        for (std::size_t k = 0; k < places.size(); ++k) scene.lights[places[k]] = shown[k];
+        pose(scene, time);
+        for (std::size_t k = 0; k < places.size(); ++k) shown[k] = scene.lights[places[k]];
+        scene.lights = std::move(shown);
+        if (own_camera) scene.camera = camera;
+    };
+}
+
 }  // namespace
 
 bool is_view(const std::filesystem::path& path) {
@@ -114,6 +133,7 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
     std::vector<Light> added;
     Warnings warnings;
     bool fog = true;
+    const std::vector<Light> base_lights = scene.lights;
     read_table(
         file, {
                   {"base", [](const TomlValue&) {}},
@@ -146,6 +166,8 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
     if (!fog) scene.fog.reset();
     switch_off(scene, off);
     scene.lights.insert(scene.lights.end(), added.begin(), added.end());
+    for (Film& film : result.films)
+        keep_view(film, base_lights, off, file.find("camera") != nullptr);
     result.files.insert(result.files.begin(), path);
     for (const std::string& line : warnings.lines()) result.warnings.push_back(line);
     for (const std::filesystem::path& read : warnings.files()) result.files.push_back(read);

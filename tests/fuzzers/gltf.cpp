@@ -33,8 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         scene::SceneFile read = scene::read_scene(file);
         for (scene::Material& material : read.scene.materials) paint(material);
         scene::Warnings warnings;
-        scene::finish(read.scene, read.film, warnings);
-        if (read.film) read.film->pose(read.scene, read.film->seconds / 2);
+        scene::finish(read.scene, read.films, warnings);
+        for (const scene::Film& film : read.films) film.pose(read.scene, film.seconds / 2);
     } catch (const Error& error) {
         if (std::string_view(error.what()).find('\n') != std::string_view::npos) std::abort();
     }

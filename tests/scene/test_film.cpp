@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/film.h"
+#include "scene/geometry/transform.h"
 #include "tests/scene/folder.h"
 #include "tests/scene/gltf/gltf_text.h"
 
@@ -35,7 +36,7 @@ struct FilmOf : testing::Test {
     }
     Scene at(const std::string& tracks, double time) {
         SceneFile file = read(tracks);
-        file.film.value().pose(file.scene, time);
+        file.films.at(0).pose(file.scene, time);
         return file.scene;
     }
     std::string error(const std::string& tracks) {
@@ -106,8 +107,8 @@ TEST_F(FilmOf, AnObjectTurnsAboutItsOwnOrigin) {
 TEST_F(FilmOf, PosesDoNotDependOnThoseBefore) {
     SceneFile file =
         read(track("object = 'ball'\nkey = 'translate'", "[0, 2]", "[[0, 0, 0], [0, 6, 0]]"));
-    file.film->pose(file.scene, 2);
-    file.film->pose(file.scene, 1);
+    file.films.at(0).pose(file.scene, 2);
+    file.films.at(0).pose(file.scene, 1);
     EXPECT_EQ(file.scene.objects.at(0).world_from_object[3], dvec4(1, 3, 0, 1));
 }
 
@@ -126,39 +127,14 @@ TEST_F(FilmOf, BadKeysAreOneErrorEach) {
     EXPECT_EQ(error("[[track]]\nkey = 'fov'\n"), "s.toml:14: track has no times; expected it");
     EXPECT_EQ(error("[film]\nrate = 24\n"), "s.toml:14: film has no tracks; expected [[track]]");
     SceneFile file = read(track("key = 'at'", "[0, 1]", "[[0, 0, 0], [0, 0, 5]]"));
-    EXPECT_EQ(folder.error([&] { file.film->pose(file.scene, 1); }),
+    EXPECT_EQ(folder.error([&] { file.films.at(0).pose(file.scene, 1); }),
               "camera at 1 s: at is the eye; expected another point");
-}
-
-/// The triangle's node with an animation of two keys, at 0 and 2 s.
-std::string animated(const std::string& path, const std::vector<float>& values,
-                     const std::string& type, const std::string& interpolation = "LINEAR") {
-    const std::string bytes =
-        triangle_bytes() + std::string(2, '\0') + bytes_of<float>({0, 2}) + bytes_of(values);
-    std::string text =
-        replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""), "\"byteLength\": 42",
-                 "\"byteLength\": " + std::to_string(bytes.size()));
-    text = replaced(
-        text, R"("byteLength": 6})",
-        R"("byteLength": 6}, {"buffer": 0, "byteOffset": 44, "byteLength": 8}, {"buffer": 0, "byteOffset": 52, "byteLength": )" +
-            std::to_string(bytes.size() - 52) + "}");
-    const std::size_t count = values.size() / (type == "VEC4" ? 4 : 3);
-    text = replaced(
-        text, R"("type": "SCALAR"})",
-        R"("type": "SCALAR"}, {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR"},
-                    {"bufferView": 3, "componentType": 5126, "count": )" +
-            std::to_string(count) + R"(, "type": ")" + type + "\"}");
-    return replaced(
-        text, R"("scene": 0)",
-        R"("scene": 0, "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": ")" +
-            path + R"("}}], "samplers": [{"input": 2, "output": 3, "interpolation": ")" +
-            interpolation + "\"}]}]");
 }
 
 TEST_F(FilmOf, GltfNodesMoveAsTheirSamplersSay) {
     const auto place = [&](const std::string& text, double time) {
         SceneFile file = read_scene(folder.write("m.gltf", text));
-        file.film.value().pose(file.scene, time);
+        file.films.at(0).pose(file.scene, time);
         return file.scene.objects.at(0).world_from_object;
     };
     const std::vector<float> way{0, 0, 0, 4, 8, 0};
@@ -173,6 +149,38 @@ TEST_F(FilmOf, GltfNodesMoveAsTheirSamplersSay) {
     const dmat4 turned = place(animated("rotation", {0, 0, 0, 1, 0, 0, 1, 0}, "VEC4"), 0.5);
     EXPECT_NEAR(turned[0].x, std::sqrt(0.5), 1e-15);
     EXPECT_NEAR(turned[0].y, std::sqrt(0.5), 1e-15);
+}
+
+TEST_F(FilmOf, EachGltfAnimationIsAFilm) {
+    SceneFile file = read_scene(
+        folder.write("m.gltf", with_hop(animated("translation", {1, 1, 1, 4, 8, 2}, "VEC3"))));
+    ASSERT_EQ(file.films.size(), 2u);
+    EXPECT_EQ(file.films[0].name, "hop");
+    EXPECT_EQ(file.films[1].name, "");
+    file.films[1].pose(file.scene, 2);
+    EXPECT_EQ(file.scene.objects.at(0).world_from_object[3], dvec4(4, 8, 2, 1));
+    file.films[0].pose(file.scene, 2);
+    EXPECT_EQ(file.scene.objects.at(0).world_from_object, scaling({4, 8, 2}));
+}
+
+TEST_F(FilmOf, AViewKeepsItsCameraAndItsLights) {
+    folder.write("s.toml",
+                 still + "[[light]]\nname = 'moon'\ndirection = [0, 0, -1]\n" +
+                     track("key = 'eye'", "[0, 2]", "[[0, 0, 5], [4, 0, 5]]") +
+                     track("light = 'moon'\nkey = 'Ia'", "[0, 2]", "[[0, 0, 0], [1, 1, 1]]"));
+    const auto at_1 = [&](const std::string& view) {
+        SceneFile file = read_scene(folder.write("v.toml", "base = 's.toml'\n" + view));
+        file.films.at(0).pose(file.scene, 1);
+        return file.scene;
+    };
+    EXPECT_EQ(at_1("").camera->eye, dvec3(2, 0, 5));
+    const Scene own = at_1("lights_off = [1]\n[camera]\neye = [0, 9, 9]\n");
+    EXPECT_EQ(own.camera->eye, dvec3(0, 9, 9));
+    ASSERT_EQ(own.lights.size(), 1u);
+    EXPECT_EQ(own.lights[0].Ia, vec3(0.5f));
+    const Scene dark = at_1("lights_off = [1, 2]\n");
+    ASSERT_EQ(dark.lights.size(), 1u);
+    EXPECT_EQ(dark.lights[0].Id, vec3(0));
 }
 
 TEST_F(FilmOf, BadGltfSamplersAreOneErrorEach) {

@@ -2,6 +2,7 @@
 // from several processes, and a film that goes on where it was cut off.
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
+#include "tests/scene/gltf/gltf_text.h"
 
 #include <cmath>
 #include <filesystem>
@@ -87,6 +88,37 @@ TEST_F(FilmCommand, GoesOnAtItsFirstMissingPicture) {
     EXPECT_TRUE(bytes_of(in("a_003.png")) == third);
 }
 
+TEST_F(FilmCommand, TakesTheAnimationThatItNames) {
+    write("m.gltf", scene::with_hop(scene::animated("translation", {1, 1, 1, 3, 3, 3}, "VEC3")));
+    const std::vector<std::string> film{"m.gltf", "-o",    "a.png", "--film", "2",    "--rate",
+                                        "1",      "--eye", "0,0,9", "--at",   "0,0,0"};
+    const auto drawn = [&](const std::vector<std::string>& more, const std::string& warning) {
+        std::vector<std::string> all = film;
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = render(all);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, warning);
+        return bytes_of(in("a_002.png"));
+    };
+    const std::string first = drawn(
+        {}, "gw: warning: m.gltf: has 2 animations; 0 is drawn; --animation takes 0 'hop' or 1\n");
+    EXPECT_TRUE(drawn({"--animation", "hop"}, "") == first);
+    EXPECT_TRUE(drawn({"--animation", "0"}, "") == first);
+    EXPECT_FALSE(drawn({"--animation", "1"}, "") == first);
+    EXPECT_TRUE(drawn({"--quiet"}, "") == first);
+}
+
+/// Eye and view of the command line count at all times, whatever moves the scene's camera.
+TEST_F(FilmCommand, KeepsTheCameraOfTheCommandLine) {
+    const std::string track = "[[track]]\nkey = 'eye'\ntimes = [0, 2]\nvalues = [[0, 0, 5], ";
+    write("turn.toml", bytes_of(in("film.toml")) + track + "[5, 0, 5]]\n");
+    EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "2", "--eye", "5,0,1"}).code, 0);
+    EXPECT_EQ(render({"turn.toml", "-o", "b.png", "--film", "2", "--eye", "5,0,1"}).code, 0);
+    EXPECT_EQ(render({"turn.toml", "-o", "c.png", "--film", "2"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("b_002.png")) == bytes_of(in("a_002.png")));
+    EXPECT_FALSE(bytes_of(in("c_002.png")) == bytes_of(in("a_002.png")));
+}
+
 TEST_F(FilmCommand, RefusesWhatIsNoFilm) {
     const auto refused = [&](const std::vector<std::string>& arguments, int code,
                              const std::string& text) {
@@ -95,6 +127,9 @@ TEST_F(FilmCommand, RefusesWhatIsNoFilm) {
         EXPECT_NE(outcome.err.find(text), outcome.err.npos) << outcome.err;
     };
     refused({"lamps.toml", "-o", "a.png", "--film", "1-2"}, 1, "lamps.toml: is no film; expected");
+    refused({"film.toml", "-o", "a.png", "--film", "1", "--animation", "walk"}, 1,
+            "film.toml: has no animation 'walk'; expected 0");
+    refused({"film.toml", "-o", "a.png", "--animation", "walk"}, 2, "without --film");
     refused({"film.toml", "-o", "a.png", "--film", "2-1"}, 2, "--film '2-1': expected A-B");
     refused({"film.toml", "-o", "a.png", "--shutter", "1"}, 2, "without --film");
     refused({"film.toml", "-o", "a.png", "--film", "1", "--turntable", "2"}, 2,

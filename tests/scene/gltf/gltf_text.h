@@ -61,6 +61,38 @@ inline std::string triangle_gltf() {
     return triangle_json(R"(, "uri": ")" + data_uri(triangle_bytes()) + "\"");
 }
 
+/// The triangle's node with an animation of two keys, at 0 and 2 s.
+inline std::string animated(const std::string& path, const std::vector<float>& values,
+                            const std::string& type, const std::string& interpolation = "LINEAR") {
+    const std::string bytes =
+        triangle_bytes() + std::string(2, '\0') + bytes_of<float>({0, 2}) + bytes_of(values);
+    std::string text =
+        replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""), "\"byteLength\": 42",
+                 "\"byteLength\": " + std::to_string(bytes.size()));
+    text = replaced(
+        text, R"("byteLength": 6})",
+        R"("byteLength": 6}, {"buffer": 0, "byteOffset": 44, "byteLength": 8}, {"buffer": 0, "byteOffset": 52, "byteLength": )" +
+            std::to_string(bytes.size() - 52) + "}");
+    const std::size_t count = values.size() / (type == "VEC4" ? 4 : 3);
+    text = replaced(
+        text, R"("type": "SCALAR"})",
+        R"("type": "SCALAR"}, {"bufferView": 2, "componentType": 5126, "count": 2, "type": "SCALAR"},
+                    {"bufferView": 3, "componentType": 5126, "count": )" +
+            std::to_string(count) + R"(, "type": ")" + type + "\"}");
+    return replaced(
+        text, R"("scene": 0)",
+        R"("scene": 0, "animations": [{"channels": [{"sampler": 0, "target": {"node": 0, "path": ")" +
+            path + R"("}}], "samplers": [{"input": 2, "output": 3, "interpolation": ")" +
+            interpolation + "\"}]}]");
+}
+
+/// That with an animation "hop" before it, which scales the node by the same values.
+inline std::string with_hop(const std::string& text) {
+    return replaced(text, R"("animations": [)",
+                    R"("animations": [{"name": "hop", "samplers": [{"input": 2, "output": 3}],
+"channels": [{"sampler": 0, "target": {"node": 0, "path": "scale"}}]}, )");
+}
+
 inline std::string word_bytes(std::size_t value) {
     return bytes_of<std::uint32_t>({std::uint32_t(value)});
 }

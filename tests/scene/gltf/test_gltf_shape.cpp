@@ -152,7 +152,7 @@ TEST_F(GltfShape, WeightsOfMorphTargetsAreAFilm) {
                 R"(, "interpolation": ")" + interpolation + "\"}]}], ",
             a));
         const std::vector<std::uint32_t> ids = file.scene.objects.at(0).mesh->data().polygon_ids;
-        file.film.value().pose(file.scene, time);
+        file.films.at(0).pose(file.scene, time);
         EXPECT_EQ(file.scene.objects.at(0).mesh->data().polygon_ids, ids);
         return file.scene.objects.at(0);
     };
@@ -187,9 +187,9 @@ TEST_F(GltfShape, JointsMoveInFilms) {
 "samplers": [{"input": )" +
             std::to_string(times) + ", \"output\": " + std::to_string(turns) + "}]}], "));
     expect_near(vertex(file.scene.objects.at(0), 1), 12, 0, 0);
-    file.film.value().pose(file.scene, 1);
+    file.films.at(0).pose(file.scene, 1);
     expect_near(vertex(file.scene.objects.at(0), 1), 11, 3, 0);
-    file.film.value().pose(file.scene, 0);
+    file.films.at(0).pose(file.scene, 0);
     expect_near(vertex(file.scene.objects.at(0), 1), 12, 0, 0);
 }
 
@@ -232,7 +232,7 @@ TEST_F(GltfShape, InstancesOfOneNodeMoveWithIt) {
     EXPECT_EQ(file.scene.objects[0].mesh, file.scene.objects[1].mesh);
     expect_near(vertex(file.scene.objects[0], 1), 5, 0, 5);
     expect_near(vertex(file.scene.objects[1], 1), 0, 9, 5);
-    file.film.value().pose(file.scene, 1);
+    file.films.at(0).pose(file.scene, 1);
     expect_near(vertex(file.scene.objects[0], 1), 5, 0, 9);
     expect_near(vertex(file.scene.objects[1], 1), 0, 9, 9);
     EXPECT_EQ(

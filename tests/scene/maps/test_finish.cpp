@@ -144,16 +144,16 @@ TEST(Finish, AFilmIsCutAtEachTime) {
     Scene scene = leaf(texture(4, 1, {1, 1, 0, 0}));
     scene.materials[0].d_cutoff = 0.5f;
     scene.objects.push_back(scene.objects[0]);
-    std::optional<Film> film{Film{}};
-    film->pose = [](Scene& s, double time) {
+    std::vector<Film> films(1);
+    films[0].pose = [](Scene& s, double time) {
         ASSERT_EQ(s.objects.size(), 2u);
         s.objects[1].world_from_object[3].x = time;
         s.materials[0].d_cutoff = float(time);
     };
     Warnings warnings;
-    finish(scene, film, warnings);
+    finish(scene, films, warnings);
     for (const double time : {2.0, 0.5, 0.75}) {
-        film->pose(scene, time);
+        films[0].pose(scene, time);
         EXPECT_EQ(scene.objects.size(), 2u);
         EXPECT_EQ(scene.objects[1].world_from_object[3].x, time);
         EXPECT_EQ(scene.materials[scene.objects[0].material].d, time > 1 ? 0.0f : 1.0f);
