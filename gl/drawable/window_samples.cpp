@@ -18,6 +18,10 @@ gw::ReadBuffer source_of(DrawBuffer buffer) {
 
 }  // namespace
 
+int offered_window_samples(const Profile& profile) {
+    return profile.extensions.surfaces && profile.extensions.multisample ? 4 : 0;
+}
+
 int fitting_samples(int width, int height, int wanted) {
     while (wanted > 1 && std::int64_t{width} * height * wanted > max_surface_samples) wanted /= 2;
     return wanted > 1 ? wanted : 0;

@@ -4,10 +4,15 @@
 #pragma once
 
 #include "gw/command_list.h"
+#include "gw/profile.h"
 
 #include <optional>
 
 namespace gw::gl {
+
+/// The samples of a pixel that windows are offered with, beside none; 0 on a profile without them. Of
+/// 8, two lie on sides of the pixel ([R17.2]): what fills a window would leave its lowest row out.
+int offered_window_samples(const Profile& profile);
 
 /// The samples that so many pixels can have of those that are wanted: 0, 2, 4 or 8.
 int fitting_samples(int width, int height, int wanted);

@@ -1,12 +1,14 @@
 #include "gl/egl/configs.h"
 
+#include "gl/drawable/settings.h"
+#include "gl/drawable/window_samples.h"
 #include "gl/egl/failure.h"
 #include "gl/x11/geometry.h"
-#include "gl/x11/pixel_kinds.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <set>
 
 namespace gw::gl::egl {
 
@@ -127,8 +129,14 @@ bool matches(const Config& config, const Request& request) {
 
 std::deque<Config> make_configs(const std::vector<XVisualInfo>& visuals) {
     std::deque<Config> configs;
-    for (const auto& [samples, visual] : x11::pixel_kinds(visuals, settings().profile))
+    const auto add = [&](int samples, const XVisualInfo& visual) {
         configs.push_back({int(configs.size()) + 1, samples, visual});
+    };
+    for (const XVisualInfo& visual : visuals) add(0, visual);
+    const int samples = offered_window_samples(settings().profile);
+    std::set<int> depths;
+    for (const XVisualInfo& visual : visuals)
+        if (samples > 0 && depths.insert(visual.depth).second) add(samples, visual);
     return configs;
 }
 

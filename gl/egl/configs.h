@@ -1,5 +1,6 @@
-// Frame buffer configurations: TrueColor visuals of a screen, or none without a window system, without
-// samples and with (pixel_kinds.h). All have the bits of the profile. [EGL 1.5] 3.4
+// Frame buffer configurations: each TrueColor visual of a screen without samples, then the first of
+// each depth with samples; without a window system, the same of no visual. All have the bits of the
+// profile. [EGL 1.5] 3.4
 #pragma once
 
 #include "gl/egl/egl.h"

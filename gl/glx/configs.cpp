@@ -1,9 +1,11 @@
 #include "gl/glx/configs.h"
 
+#include "gl/drawable/settings.h"
+#include "gl/drawable/window_samples.h"
 #include "gl/x11/geometry.h"
-#include "gl/x11/pixel_kinds.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace gw::gl::glx {
 
@@ -104,17 +106,52 @@ bool matches(const Config& config, const Request& request) {
     return true;
 }
 
+/// What configurations differ in beside their visual.
+struct Kind {
+    bool double_buffered;
+    int samples;
+};
+
+/// In the order in which the visuals of a depth are dealt out to them.
+std::vector<Kind> kinds_of(const Profile& profile) {
+    std::vector<Kind> kinds{{true, 0}, {false, 0}};
+    if (const int samples = offered_window_samples(profile); samples > 0)
+        kinds.insert(kinds.end(), {{true, samples}, {false, samples}});
+    return kinds;
+}
+
+/// The visuals of each depth. Visuals and depths keep their order.
+std::vector<std::vector<XVisualInfo>> by_depth(const std::vector<XVisualInfo>& visuals) {
+    std::vector<std::vector<XVisualInfo>> out;
+    for (const XVisualInfo& visual : visuals) {
+        const auto same = std::find_if(out.begin(), out.end(), [&](const auto& of) {
+            return of.front().depth == visual.depth;
+        });
+        if (same == out.end())
+            out.push_back({visual});
+        else
+            same->push_back(visual);
+    }
+    return out;
+}
+
 }  // namespace
 
 std::deque<Config> make_configs(Display* display, int screen, int first_id) {
     const Profile& profile = settings().profile;
+    const std::vector<Kind> kinds = kinds_of(profile);
     std::deque<Config> configs;
-    const std::vector<XVisualInfo> visuals = x11::true_color_visuals(display, screen);
-    for (const bool double_buffered : {false, true})
-        for (const auto& [samples, visual] : x11::pixel_kinds(visuals, profile))
-            configs.push_back({visual, double_buffered, samples, first_id + int(configs.size()),
+    for (const auto& visuals : by_depth(x11::true_color_visuals(display, screen)))
+        for (std::size_t i = 0; i < std::max(visuals.size(), kinds.size()); ++i) {
+            const auto [double_buffered, samples] = kinds[i < kinds.size() ? i : 0];
+            configs.push_back({visuals[i % visuals.size()], double_buffered, samples, 0,
                                profile.color_bits, profile.depth_bits, profile.stencil_bits,
                                profile.accum_bits});
+        }
+    std::stable_sort(configs.begin(), configs.end(), [](const Config& a, const Config& b) {
+        return std::tuple(a.double_buffered, a.samples) < std::tuple(b.double_buffered, b.samples);
+    });
+    for (Config& config : configs) config.id = first_id++;
     return configs;
 }
 

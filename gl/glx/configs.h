@@ -1,5 +1,5 @@
-// Frame buffer configurations: every TrueColor visual of a screen, single and double buffered, without
-// samples and with, and the bits of the profile. [GLX 1.4] 3.3.3
+// Frame buffer configurations: single and double buffered, without samples and with, of each depth of a
+// screen, and the bits of the profile. [GLX 1.4] 3.3.3
 #pragma once
 
 #include "gl/glx/glx.h"
@@ -20,10 +20,12 @@ namespace gw::gl::glx {
 
 using Config = __GLXFBConfigRec;
 
-/// The configurations of a screen in the order that ChooseFBConfig returns them in. They differ in
-/// visual, double buffering and samples only, so of [GLX 1.4] table 3.4's orders three decide: single
-/// before double, then fewer samples first. Then the screen's default visual is first and visuals with an alpha
-/// channel are last.
+/// The configurations of a screen in the order that ChooseFBConfig returns them in. Each has a TrueColor
+/// visual of its own if its depth has enough; else those of a depth share them. The first visual of a
+/// depth is double buffered without samples, as are those that are left over.
+///
+/// Of [GLX 1.4] table 3.4's orders three decide: single before double, then fewer samples first. Then
+/// the depth of the screen's default visual is first and visuals with an alpha channel are last.
 std::deque<Config> make_configs(Display* display, int screen, int first_id);
 
 /// The value of an attribute; none: no such attribute.

@@ -149,7 +149,9 @@ extern "C" {
 GLXContext glXCreateContext(Display* display, XVisualInfo* visual, GLXContext share_list, Bool) {
     return at_c_boundary([&]() -> GLXContext {
         Config* const config = visual != nullptr ? config_of_visual(display, *visual) : nullptr;
-        if (config == nullptr) return send_error(display, BadValue, 0, X_GLXCreateContext), nullptr;
+        const VisualID asked = visual != nullptr ? visual->visualid : 0;
+        if (config == nullptr)
+            return send_error(display, BadValue, asked, X_GLXCreateContext), nullptr;
         return create(display, *config, share_list, X_GLXCreateContext);
     });
 }

@@ -7,13 +7,14 @@
 #include <map>
 #include <mutex>
 #include <string_view>
+#include <tuple>
 
 namespace gw::gl::glx {
 
 namespace {
 
 struct KnownDisplay {
-    explicit KnownDisplay(Display* display) : codes(query_codes(display)) {
+    explicit KnownDisplay(Display* display) : codes(register_codes(display)) {
         start_recording();
         for (int screen = 0; screen < ScreenCount(display); ++screen)
             screens.push_back(make_configs(display, screen, 1000 * screen + 1));
@@ -106,10 +107,14 @@ Config* config_of_visual(Display* display, const XVisualInfo& visual) {
     KnownDisplay& of = known(display);
     const auto found = of.chosen.find(visual.visualid);
     if (found != of.chosen.end()) return found->second;
+    const auto rank = [](const Config& of) { return std::tuple(of.samples, !of.double_buffered); };
+    Config* first = nullptr;
     for (std::deque<Config>& screen : of.screens)
         for (Config& config : screen)
-            if (config.visual.visualid == visual.visualid && config.double_buffered) return &config;
-    return nullptr;
+            if (config.visual.visualid == visual.visualid &&
+                (first == nullptr || rank(config) < rank(*first)))
+                first = &config;
+    return first;
 }
 
 XVisualInfo* chosen_visual(Display* display, const Config& config) {

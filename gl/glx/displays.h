@@ -22,8 +22,9 @@ std::deque<Config>& configs_of(Display* display, int screen);
 /// Whether a program's pointer is a configuration of this display.
 bool is_config(Display* display, GLXFBConfig config);
 
-/// The configuration of a visual (GLX 1.2): ChooseVisual or GetVisualFromFBConfig last returned the
-/// visual for it; before, the double-buffered one. Null: not a visual of GLX.
+/// The configuration of a visual (GLX 1.2). Of those that share it, the one for which ChooseVisual or
+/// GetVisualFromFBConfig last returned it; before, the one with the fewest samples, double buffered
+/// if there is one. Null: not a visual of GLX.
 Config* config_of_visual(Display* display, const XVisualInfo& visual);
 /// A copy of the visual, which the program frees with XFree.
 XVisualInfo* chosen_visual(Display* display, const Config& config);

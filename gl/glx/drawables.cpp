@@ -124,7 +124,8 @@ void glXDestroyPixmap(Display* display, GLXPixmap pixmap) {
 GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixmap) {
     return at_c_boundary([&]() -> XID {
         Config* const config = visual != nullptr ? config_of_visual(display, *visual) : nullptr;
-        if (config == nullptr) return send_error(display, BadValue, 0, X_GLXCreateGLXPixmap), 0;
+        const VisualID asked = visual != nullptr ? visual->visualid : 0;
+        if (config == nullptr) return send_error(display, BadValue, asked, X_GLXCreateGLXPixmap), 0;
         return make_surface(display, *config, Surface::Kind::Pixmap, pixmap, X_GLXCreateGLXPixmap);
     });
 }

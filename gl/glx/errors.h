@@ -24,7 +24,8 @@ enum class GlxError {
 struct ExtensionCodes {
     int request = 0, event_base = 0, error_base = 0;
 };
-ExtensionCodes query_codes(Display* display);
+/// Once for each display: has Xlib print them as names too.
+ExtensionCodes register_codes(Display* display);
 
 /// Gives the program's X error handler an error of the core (BadMatch) or of GLX. The error names
 /// the GLX request of this number (X_GLXMakeCurrent).

@@ -16,8 +16,8 @@ using namespace gw::gl::glx;
 constexpr const char* glx_extensions =
     "GLX_ARB_create_context GLX_ARB_create_context_profile GLX_ARB_get_proc_address "
     "GLX_ARB_multisample "
-    "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_query_renderer GLX_MESA_swap_control "
-    "GLX_OML_swap_method GLX_SGIX_fbconfig GLX_SGI_make_current_read GLX_SGI_swap_control";
+    "GLX_EXT_visual_info GLX_EXT_visual_rating GLX_MESA_query_renderer "
+    "GLX_OML_swap_method GLX_SGIS_multisample GLX_SGIX_fbconfig GLX_SGI_make_current_read";
 
 const char* string_of(int name) {
     switch (name) {

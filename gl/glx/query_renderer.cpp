@@ -30,7 +30,8 @@ std::optional<std::vector<unsigned>> values_of(int attribute) {
         case GLX_RENDERER_UNIFIED_MEMORY_ARCHITECTURE_MESA: return {{True}};
         case GLX_RENDERER_PREFERRED_PROFILE_MESA:
             return {{GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB}};
-        case GLX_RENDERER_OPENGL_COMPATIBILITY_PROFILE_VERSION_MESA: return {{1, 1}};
+        case GLX_RENDERER_OPENGL_COMPATIBILITY_PROFILE_VERSION_MESA:
+            return {{1, unsigned(offered_minor())}};
         case GLX_RENDERER_OPENGL_CORE_PROFILE_VERSION_MESA:
         case GLX_RENDERER_OPENGL_ES_PROFILE_VERSION_MESA:
         case GLX_RENDERER_OPENGL_ES2_PROFILE_VERSION_MESA: return {{0, 0}};

@@ -2,8 +2,14 @@
 #include "tests/gl/x11/client.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace {
+
+/// Whether it is double buffered, and its samples.
+using Kind = std::pair<int, int>;
 
 class GlxConfigs : public Glx {
 protected:
@@ -14,6 +20,41 @@ protected:
         std::vector<GLXFBConfig> out(found, found + (found != nullptr ? count : 0));
         if (found != nullptr) XFree(found);
         return out;
+    }
+    std::vector<GLXFBConfig> all() const {
+        int count = 0;
+        GLXFBConfig* const found = glXGetFBConfigs(display, DefaultScreen(display), &count);
+        std::vector<GLXFBConfig> out(found, found + count);
+        XFree(found);
+        return out;
+    }
+    /// How many TrueColor visuals each depth has.
+    std::map<int, int> visuals_of_depths() const {
+        XVisualInfo like{};
+        like.screen = DefaultScreen(display);
+        like.c_class = TrueColor;
+        int count = 0;
+        XVisualInfo* const found =
+            XGetVisualInfo(display, VisualScreenMask | VisualClassMask, &like, &count);
+        std::map<int, int> out;
+        for (int i = 0; i < count; ++i) ++out[found[i].depth];
+        XFree(found);
+        return out;
+    }
+    Kind kind_of(GLXFBConfig of) const {
+        return {value(of, GLX_DOUBLEBUFFER), value(of, GLX_SAMPLES)};
+    }
+    /// What GetConfig says of a visual.
+    Kind config_of(VisualID id) const {
+        XVisualInfo like{};
+        like.visualid = id;
+        int count = 0;
+        XVisualInfo* const found = XGetVisualInfo(display, VisualIDMask, &like, &count);
+        Kind kind{-1, -1};
+        EXPECT_EQ(glXGetConfig(display, found, GLX_DOUBLEBUFFER, &kind.first), Success);
+        EXPECT_EQ(glXGetConfig(display, found, GLX_SAMPLES, &kind.second), Success);
+        XFree(found);
+        return kind;
     }
     int value(GLXFBConfig of, int name) const {
         int value = -1;
@@ -34,10 +75,61 @@ TEST_F(GlxConfigs, SingleBufferedComeFirst) {
         EXPECT_LE(value(all[i - 1], GLX_DOUBLEBUFFER), value(all[i], GLX_DOUBLEBUFFER));
 }
 
-TEST_F(GlxConfigs, TheDefaultVisualIsTheFirstOfItsKind) {
+TEST_F(GlxConfigs, TheDefaultVisualIsDoubleBuffered) {
     const VisualID initial = XVisualIDFromVisual(DefaultVisual(display, DefaultScreen(display)));
-    EXPECT_EQ(VisualID(value(config(false), GLX_VISUAL_ID)), initial);
     EXPECT_EQ(VisualID(value(config(true), GLX_VISUAL_ID)), initial);
+    EXPECT_EQ(config_of(initial), (Kind{True, 0}));
+}
+
+/// Those of a depth that has fewer share them.
+TEST_F(GlxConfigs, EachHasItsOwnVisual) {
+    const std::map<int, int> visuals = visuals_of_depths();
+    std::map<int, std::set<int>> met;
+    std::map<int, int> configurations;
+    for (const GLXFBConfig config : all()) {
+        XVisualInfo* const visual = glXGetVisualFromFBConfig(display, config);
+        met[visual->depth].insert(int(visual->visualid));
+        ++configurations[visual->depth];
+        XFree(visual);
+    }
+    for (const auto& [depth, count] : visuals) {
+        EXPECT_EQ(int(met[depth].size()), count) << depth;
+        EXPECT_EQ(configurations[depth], std::max(count, 4)) << depth;
+    }
+}
+
+TEST_F(GlxConfigs, AVisualMeansTheConfigurationThatItWasChosenFor) {
+    for (const GLXFBConfig config : all()) {
+        XVisualInfo* const visual = glXGetVisualFromFBConfig(display, config);
+        EXPECT_EQ(config_of(visual->visualid), kind_of(config));
+        EXPECT_EQ(glXGetFBConfigFromVisualSGIX(display, visual), config);
+        XFree(visual);
+    }
+}
+
+/// GetConfig of a visual and a context on it agree, whatever was chosen in between.
+TEST_F(GlxConfigs, AContextHasTheConfigurationOfItsVisual) {
+    XVisualInfo* const found[] = {visual({GLX_RGBA, 0}), visual({GLX_RGBA, GLX_DOUBLEBUFFER, 0}),
+                                  visual({GLX_RGBA, GLX_SAMPLE_BUFFERS, 1, 0}),
+                                  visual({GLX_RGBA, GLX_DOUBLEBUFFER, GLX_SAMPLES, 4, 0})};
+    const Kind asked[] = {{False, 0}, {True, 0}, {False, 4}, {True, 4}};
+    const bool has_enough = visuals_of_depths()[found[0]->depth] >= 4;
+    for (int i = 0; i < 4; ++i) {
+        const Kind kind = config_of(found[i]->visualid);
+        EXPECT_TRUE(kind == asked[i] || !has_enough) << i;
+        const GLXContext context = glXCreateContext(display, found[i], nullptr, True);
+        const Window of = make_window(glXGetFBConfigFromVisualSGIX(display, found[i]));
+        ASSERT_TRUE(glXMakeCurrent(display, of, context));
+        GLboolean is_double = 7;
+        glGetBooleanv(GL_DOUBLEBUFFER, &is_double);
+        GLint samples = -1;
+        glGetIntegerv(GL_SAMPLES, &samples);
+        EXPECT_EQ((Kind{is_double, samples}), kind) << i;
+        glXMakeCurrent(display, 0, nullptr);
+        glXDestroyContext(display, context);
+        XDestroyWindow(display, of);
+        XFree(found[i]);
+    }
 }
 
 TEST_F(GlxConfigs, HaveTheBitsOfTheProfile) {
@@ -102,18 +194,12 @@ TEST_F(GlxConfigs, ColourIndicesAndStereoAreNotOffered) {
 TEST_F(GlxConfigs, TheFirstOfAllWithAVisualIsDoubleBuffered) {
     XVisualInfo* const wanted = visual({GLX_RGBA, GLX_DOUBLEBUFFER, 0});
     ASSERT_NE(wanted, nullptr);
-    int count = 0;
-    GLXFBConfig* const all = glXGetFBConfigs(display, DefaultScreen(display), &count);
-    GLXFBConfig* const end = all + count;
-    const auto has_visual = [&](GLXFBConfig config) {
+    const std::vector<GLXFBConfig> configs = all();
+    const auto found = std::find_if(configs.begin(), configs.end(), [&](GLXFBConfig config) {
         return value(config, GLX_VISUAL_ID) == int(wanted->visualid);
-    };
-    GLXFBConfig* const found = std::find_if(all, end, has_visual);
-    ASSERT_NE(found, end);
-    EXPECT_EQ(value(*found, GLX_DOUBLEBUFFER), True);
-    EXPECT_EQ(value(*found, GLX_SAMPLES), 0);
-    EXPECT_EQ(std::count_if(all, end, has_visual), 4) << "single and double, of 0 and 4 samples";
-    XFree(all);
+    });
+    ASSERT_NE(found, configs.end());
+    EXPECT_EQ(kind_of(*found), (Kind{True, 0}));
     XFree(wanted);
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstring>
+#include <string>
 #include <utility>
 
 namespace {
@@ -169,7 +170,7 @@ TEST_F(GlxContexts, VersionsUpTo15AreMade) {
 }
 
 /// GLX_MESA_query_renderer
-TEST_F(GlxContexts, TheRendererIsSoftwareOfVersion1_1) {
+TEST_F(GlxContexts, TheRendererIsSoftwareOfVersion1_5) {
     std::array<unsigned, 3> values{9, 9, 9};
     const auto query = [&](int attribute) {
         return glXQueryRendererIntegerMESA(display, DefaultScreen(display), 0, attribute,
@@ -178,7 +179,7 @@ TEST_F(GlxContexts, TheRendererIsSoftwareOfVersion1_1) {
     ASSERT_TRUE(query(GLX_RENDERER_ACCELERATED_MESA));
     EXPECT_EQ(values[0], unsigned(False));
     ASSERT_TRUE(query(GLX_RENDERER_OPENGL_COMPATIBILITY_PROFILE_VERSION_MESA));
-    EXPECT_EQ(values, (std::array{1u, 1u, 9u}));
+    EXPECT_EQ(values, (std::array{1u, 5u, 9u}));
     ASSERT_TRUE(query(GLX_RENDERER_OPENGL_CORE_PROFILE_VERSION_MESA));
     EXPECT_EQ(values, (std::array{0u, 0u, 9u}));
     ASSERT_TRUE(query(GLX_RENDERER_VIDEO_MEMORY_MESA));
@@ -195,6 +196,21 @@ TEST_F(GlxContexts, TheRendererIsSoftwareOfVersion1_1) {
     glXDestroyContext(display, context);
 }
 
+/// What Xlib's default handler of errors prints.
+TEST_F(GlxContexts, ErrorsHaveTheirNames) {
+    const auto text_of = [&](int code) {
+        char text[64] = {};
+        XGetErrorText(display, code, text, int(sizeof text));
+        return std::string(text);
+    };
+    EXPECT_EQ(text_of(glx_error(0)), "GLXBadContext");
+    EXPECT_EQ(text_of(glx_error(2)), "GLXBadDrawable");
+    EXPECT_EQ(text_of(glx_error(9)), "GLXBadFBConfig");
+    EXPECT_EQ(text_of(glx_error(13)), "GLXBadProfileARB");
+    EXPECT_EQ(text_of(glx_error(14)).substr(0, 3), std::to_string(glx_error(14)).substr(0, 3));
+    EXPECT_EQ(text_of(BadMatch).substr(0, 8), "BadMatch");
+}
+
 TEST_F(GlxContexts, FunctionsAreFoundByName) {
     const auto find = [](const char* name) {
         return glXGetProcAddress(reinterpret_cast<const GLubyte*>(name));
@@ -204,6 +220,7 @@ TEST_F(GlxContexts, FunctionsAreFoundByName) {
               reinterpret_cast<__GLXextFuncPtr>(&glXGetProcAddressARB));
     EXPECT_EQ(find("glBegin"), reinterpret_cast<__GLXextFuncPtr>(&glBegin));
     EXPECT_EQ(find("glXNoSuchFunction"), nullptr);
+    EXPECT_EQ(find("glXSwapIntervalSGI"), nullptr) << "no swap waits";
     EXPECT_EQ(find("glNoSuchFunction"), nullptr);
 }
 
