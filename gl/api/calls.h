@@ -51,6 +51,8 @@ void client_active_texture(Context& context, GLenum texture);
 void enable_client_state(Context& context, GLenum array);
 void disable_client_state(Context& context, GLenum array);
 void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const GLvoid* pointer);
+void lock_arrays(Context& context, GLint first, GLsizei count);
+void unlock_arrays(Context& context);
 void array_element(Context& context, GLint i);
 /// Replays captured array elements: what a display list keeps of DrawArrays and DrawElements.
 void play_elements(Context& context, const Elements& elements);
@@ -111,7 +113,7 @@ void clip_control(Context& context, GLenum origin, GLenum depth);
 
 // 2.12 Current raster position
 void raster_pos(Context& context, double x, double y, double z, double w);
-void window_pos(Context& context, double x, double y, double z);
+void window_pos(Context& context, double x, double y, double z, double w);
 
 // 2.13 Colours and lighting
 void front_face(Context& context, GLenum mode);

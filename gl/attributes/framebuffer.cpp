@@ -30,13 +30,11 @@ bool is_attachment(GLenum mode) {
     return mode >= GL_COLOR_ATTACHMENT0 && mode <= GL_COLOR_ATTACHMENT0 + 31;
 }
 
-/// Whether the drawable has one of the buffers: there are no right ones, no auxiliary ones, and a
-/// back buffer only with two.
-bool names_a_buffer(const Context& context, GLenum mode) {
-    if (is_auxiliary(mode) || mode == GL_RIGHT || mode == GL_FRONT_RIGHT || mode == GL_BACK_RIGHT)
-        return false;
-    const bool is_double = context.window != nullptr && context.window->is_double_buffered();
-    return !is_attachment(mode) && (is_double || (mode != GL_BACK && mode != GL_BACK_LEFT));
+/// Whether drawables have one of the buffers: there are no right and no auxiliary ones. The one buffer
+/// of a drawable is its back buffer too: programs of OSMesa, whose Mesa took it so, ask for that one.
+bool names_a_buffer(GLenum mode) {
+    return !is_auxiliary(mode) && !is_attachment(mode) && mode != GL_RIGHT &&
+           mode != GL_FRONT_RIGHT && mode != GL_BACK_RIGHT;
 }
 
 }  // namespace
@@ -75,7 +73,7 @@ void draw_buffer(Context& context, GLenum mode) {
                        (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT) ||
                        (is_attachment(mode) && context.profile.extensions.surfaces);
     if (!known) return set_error(context, GL_INVALID_ENUM);
-    const bool has = context.framebuffers.draw ? is_attached(mode) : names_a_buffer(context, mode);
+    const bool has = context.framebuffers.draw ? is_attached(mode) : names_a_buffer(mode);
     if (!has) return set_error(context, GL_INVALID_OPERATION);
     if (context.framebuffers.draw) context.framebuffers.draw->draw_buffer = mode;
     change(context, context.state.color_buffer.draw_buffer, mode);
@@ -86,8 +84,8 @@ void read_buffer(Context& context, GLenum mode) {
         is_auxiliary(mode) || (mode >= GL_FRONT_LEFT && mode <= GL_RIGHT) ||
         ((mode == GL_NONE || is_attachment(mode)) && context.profile.extensions.surfaces);
     if (!known) return set_error(context, GL_INVALID_ENUM);
-    const bool has = context.framebuffers.read ? is_attached(mode)
-                                               : mode == GL_NONE || names_a_buffer(context, mode);
+    const bool has =
+        context.framebuffers.read ? is_attached(mode) : mode == GL_NONE || names_a_buffer(mode);
     if (!has) return set_error(context, GL_INVALID_OPERATION);
     if (context.framebuffers.read) context.framebuffers.read->read_buffer = mode;
     change(context, context.state.pixel.read_buffer, mode);

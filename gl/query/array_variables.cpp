@@ -35,6 +35,12 @@ void add_arrays(StateVariables& t) {
                             GL_INDEX_ARRAY_BUFFER_BINDING);
     add_array<Array::EdgeFlag>(t, 0, 0, GL_EDGE_FLAG_ARRAY_STRIDE,
                                GL_EDGE_FLAG_ARRAY_BUFFER_BINDING);
+    t[GL_ARRAY_ELEMENT_LOCK_FIRST_EXT] = [](Context& context) {
+        return whole(context.client.locked_first);
+    };
+    t[GL_ARRAY_ELEMENT_LOCK_COUNT_EXT] = [](Context& context) {
+        return whole(context.client.locked_count);
+    };
     t[GL_ARRAY_BUFFER_BINDING] = [](Context& context) {
         return whole(name_of(context.client.array_buffer));
     };

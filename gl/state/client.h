@@ -71,6 +71,10 @@ struct ClientState {
     BufferRef array_buffer;       ///< of the arrays that are set next
     BufferRef element_buffer;     ///< of indices
     PixelStore pack, unpack;
+    /// GL_EXT_compiled_vertex_array: the elements that the program promises not to change; a count of
+    /// 0: none. A draw reads them all the same.
+    GLint locked_first = 0;
+    GLsizei locked_count = 0;
 
     ClientArray& array(Array a) { return arrays[std::size_t(a)]; }
     const ClientArray& array(Array a) const { return arrays[std::size_t(a)]; }

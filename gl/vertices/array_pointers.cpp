@@ -115,6 +115,18 @@ void disable_client_state(Context& context, GLenum array) {
     set_client_array(context, array, false);
 }
 
+void lock_arrays(Context& context, GLint first, GLsizei count) {
+    if (first < 0 || count <= 0) return set_error(context, GL_INVALID_VALUE);
+    if (context.client.locked_count > 0) return set_error(context, GL_INVALID_OPERATION);
+    context.client.locked_first = first;
+    context.client.locked_count = count;
+}
+
+void unlock_arrays(Context& context) {
+    if (context.client.locked_count == 0) return set_error(context, GL_INVALID_OPERATION);
+    context.client.locked_first = context.client.locked_count = 0;
+}
+
 void interleaved_arrays(Context& context, GLenum format, GLsizei stride, const GLvoid* pointer) {
     if (stride < 0) return set_error(context, GL_INVALID_VALUE);
     for (const Interleaved& f : interleaved_formats) {

@@ -1,5 +1,5 @@
 // RasterPos. [GL11] 2.12: a vertex that goes through the vertex and clip stages. WindowPos of
-// GL_ARB_window_pos gives window coordinates instead.
+// GL_ARB_window_pos and GL_MESA_window_pos give window coordinates instead.
 #include "gl/api/calls.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
@@ -108,12 +108,13 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
 }
 
 /// No transform, no clipping, no lighting: the current values as they are.
-void window_pos(Context& context, double x, double y, double z) {
+void window_pos(Context& context, double x, double y, double z, double w) {
     CurrentState::Raster& raster = context.state.current.raster;
-    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z));
+    raster.valid = std::isfinite(float(x)) && std::isfinite(float(y)) && std::isfinite(float(z)) &&
+                   std::isfinite(float(w));
     if (!raster.valid) return;
     const double n = context.state.viewport.near_value, f = context.state.viewport.far_value;
-    raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), 1};
+    raster.position = {x, y, n + clamped(z, 0.0, 1.0) * (f - n), w};
     raster.distance = fog_distance(context, 0);
     raster.color = glm::clamp(context.state.current.color, 0.0f, 1.0f);
     raster.secondary_color = given_secondary_color(context);

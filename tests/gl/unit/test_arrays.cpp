@@ -2,6 +2,8 @@
 #include "tests/gl/unit/support/picture.h"
 #include "tests/gl/unit/support/snapshot.h"
 
+#include "gl/entry/entry_points.h"
+
 #include <cstring>
 #include <limits>
 
@@ -300,6 +302,48 @@ TEST(GlArrays, ARangeOfElementsDrawsAsElements) {
         glDrawRangeElements(GL_TRIANGLES, 0, 3, 6, GL_UNSIGNED_SHORT, &indices[0]);
     };
     expect_same_picture(with_corners(elements), with_corners(range));
+}
+
+/// GL_EXT_compiled_vertex_array: a promise of the program's, which the pictures do not show.
+TEST(GlArrays, LockedOnesDrawAsOthers) {
+    const auto lock =
+        reinterpret_cast<void(GLAPIENTRY*)(GLint, GLsizei)>(find_entry_point("glLockArraysEXT"));
+    const auto unlock =
+        reinterpret_cast<void(GLAPIENTRY*)()>(find_entry_point("glUnlockArraysEXT"));
+    ASSERT_TRUE(lock != nullptr && unlock != nullptr);
+    const auto locked = [] {
+        std::array<GLint, 2> out{};
+        glGetIntegerv(GL_ARRAY_ELEMENT_LOCK_FIRST_EXT, &out[0]);
+        glGetIntegerv(GL_ARRAY_ELEMENT_LOCK_COUNT_EXT, &out[1]);
+        return out;
+    };
+    const auto bytes = elements<GLfloat>(positions(2), 0);
+    const auto draw = [&] {
+        glEnableClientState(GL_VERTEX_ARRAY);
+        glVertexPointer(2, GL_FLOAT, 0, bytes.data());
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    };
+    expect_same_picture(
+        [&] {
+            lock(1, 5);
+            EXPECT_EQ(locked(), (std::array{1, 5}));
+            draw();
+            unlock();
+            EXPECT_EQ(locked(), (std::array{0, 0}));
+        },
+        draw);
+
+    const Window window;
+    unlock();
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    for (const auto& [first, count] : {std::pair{-1, 3}, {0, 0}, {0, -2}}) {
+        lock(first, count);
+        EXPECT_EQ(glGetError(), GLenum(GL_INVALID_VALUE)) << first << ' ' << count;
+    }
+    lock(0, 3);
+    lock(0, 6);
+    EXPECT_EQ(glGetError(), GLenum(GL_INVALID_OPERATION));
+    EXPECT_EQ(locked(), (std::array{0, 3}));
 }
 
 TEST(GlArrays, WrongArgumentsAreErrors) {

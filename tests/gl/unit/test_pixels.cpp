@@ -176,7 +176,7 @@ TEST(GlPixels, LuminanceIsTheSumOfColoursUpTo1) {
     EXPECT_EQ(out[0], 1);
 }
 
-/// GL_ARB_window_pos
+/// GL_ARB_window_pos, GL_MESA_window_pos
 TEST(GlPixels, WindowPosTakesWindowCoordinatesAndCurrentValues) {
     const Window window;
     glTranslatef(5, 6, 7);
@@ -208,6 +208,10 @@ TEST(GlPixels, WindowPosTakesWindowCoordinatesAndCurrentValues) {
     const std::array<GLshort, 2> shorts{7, -8};
     from_shorts(shorts.data());
     EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION), (Four{7, -8, 0.25f, 1}));
+    const auto with_w = reinterpret_cast<void(GLAPIENTRY*)(GLfloat, GLfloat, GLfloat, GLfloat)>(
+        find_entry_point("glWindowPos4fMESA"));
+    with_w(3, 2, 1, 0.5f);
+    EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION), (Four{3, 2, 0.75f, 0.5f}));
     call(std::nan(""), 0, 0);
     EXPECT_EQ(value(GL_CURRENT_RASTER_POSITION_VALID)[0], 0);
 }

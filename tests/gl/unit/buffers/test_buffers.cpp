@@ -68,8 +68,23 @@ TEST(Buffers, AreRefusedThatADrawableDoesNotHave) {
     };
     for (const GLenum mode : {GL_RIGHT, GL_FRONT_RIGHT, GL_BACK_RIGHT, GL_AUX0})
         EXPECT_EQ(error_of(Buffers::Double, mode), GLenum(GL_INVALID_OPERATION)) << mode;
-    EXPECT_EQ(error_of(Buffers::Single, GL_BACK), GLenum(GL_INVALID_OPERATION));
+    EXPECT_EQ(error_of(Buffers::Single, GL_BACK_RIGHT), GLenum(GL_INVALID_OPERATION));
     EXPECT_EQ(error_of(Buffers::Single, GL_LEFT), GLenum(GL_NO_ERROR));
+}
+
+/// As with Mesa, whose OSMesa had no other buffer.
+TEST(Buffers, TheBackBufferOfASingleBufferedDrawableIsItsFrontBuffer) {
+    for (const GLenum mode : {GL_BACK, GL_BACK_LEFT, GL_FRONT_AND_BACK}) {
+        const Window window(8, 8);
+        glDrawBuffer(mode);
+        clear_to(red);
+        for (const GLenum read : {GL_FRONT, GL_BACK, GL_BACK_LEFT})
+            EXPECT_EQ(pixel_of(window, read), red) << mode;
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << mode;
+        GLint now = 0;
+        glGetIntegerv(GL_DRAW_BUFFER, &now);
+        EXPECT_EQ(now, GLint(mode));
+    }
 }
 
 TEST(Buffers, AreCopiedOrExchangedBySwap) {
