@@ -2,7 +2,6 @@
 // page; a model is drawn and computed by the page (models/). Does not import the texts, because the
 // build reads this table too.
 import type { Level } from '../model/steps/log';
-import type { Language } from '../words/language';
 
 export type SecondView = 'top' | 'side' | 'row' | 'depth' | 'tree' | 'list' | 'windows';
 
@@ -15,7 +14,7 @@ export interface RunFigure {
   /** The step at which it opens, as in a text (markup.ts); none: the last one. */
   readonly at?: string;
   /** What it shows here; none: the algorithm's title. */
-  readonly title?: Readonly<Record<Language, string>>;
+  readonly title?: string;
 }
 
 export const runs: Readonly<Record<string, RunFigure>> = {
@@ -113,7 +112,7 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     size: '160x120',
     view: 'top',
     at: 'draw/piece',
-    title: { en: 'Drawn in the order of the file', ja: 'ファイルの順に描く' },
+    title: 'Drawn in the order of the file',
   },
 };
 

@@ -1,12 +1,11 @@
 // Pictures and numbers that commands of gw make while the page is built: the frames of a film.
 // SCENES and OUT in a command are the folders of the scenes and of what it writes. Like figures.ts,
 // the build reads this table too.
-import type { Language } from '../words/language';
 
 export interface Frame {
   /** A text names it "show/ID". */
   readonly id: string;
-  readonly title: Readonly<Record<Language, string>>;
+  readonly title: string;
   /** A PNG in OUT. */
   readonly picture: string;
   /** Its numbers: rows of a table in OUT that begin with these words, added up. */
@@ -24,9 +23,9 @@ export interface FilmFigure {
 const size = '--size 200x150 --quiet';
 const box = 'radiosity SCENES/radiosity/cornell.toml --size 150x150 --texels 0.04 --patch 8';
 const shots = '--hemicube 64 --no-ambient --gamma 2.2 --quiet';
-const shot = (count: number, en: string, ja: string): Frame => ({
+const shot = (count: number, title: string): Frame => ({
   id: `after-${count}`,
-  title: { en, ja },
+  title,
   picture: `box/shot_${String(count).padStart(6, '0')}.png`,
   table: 'box/convergence.csv',
   row: String(count),
@@ -42,35 +41,35 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     frames: [
       {
         id: 'ambient',
-        title: { en: 'Ambient', ja: '環境光' },
+        title: 'Ambient',
         picture: 'ambient.png',
         table: 'passes.json',
         row: 'ambient',
       },
       {
         id: 'diffuse',
-        title: { en: 'Diffuse', ja: '拡散反射' },
+        title: 'Diffuse',
         picture: 'diffuse.png',
         table: 'passes.json',
         row: 'diffuse',
       },
       {
         id: 'specular',
-        title: { en: 'Specular', ja: '鏡面反射' },
+        title: 'Specular',
         picture: 'specular.png',
         table: 'passes.json',
         row: 'specular',
       },
       {
         id: 'sum',
-        title: { en: 'The sum', ja: '和' },
+        title: 'The sum',
         picture: 'picture.png',
         table: 'passes.json',
         row: '',
       },
       {
         id: 'one-pass',
-        title: { en: 'One pass', ja: '一回のパス' },
+        title: 'One pass',
         picture: 'hardware.png',
         table: 'hardware.json',
         row: '',
@@ -86,21 +85,21 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     frames: [
       {
         id: 'unshadowed',
-        title: { en: 'Without shadows', ja: '影なし' },
+        title: 'Without shadows',
         picture: 'none.png',
         table: 'none.json',
         row: 'diffuse window',
       },
       {
         id: 'stencil',
-        title: { en: 'The stencil', ja: 'ステンシル' },
+        title: 'The stencil',
         picture: 'stencil.png',
         table: 'passes.json',
         row: 'shadow window',
       },
       {
         id: 'shadowed',
-        title: { en: 'With shadows', ja: '影あり' },
+        title: 'With shadows',
         picture: 'picture.png',
         table: 'passes.json',
         row: 'diffuse window',
@@ -118,35 +117,35 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     frames: [
       {
         id: 'items',
-        title: { en: 'Item buffer', ja: 'アイテムバッファ' },
+        title: 'Item buffer',
         picture: 'ids.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,item-buffer',
       },
       {
         id: 'maps',
-        title: { en: 'Reflection maps', ja: '反射マップ' },
+        title: 'Reflection maps',
         picture: 'maps.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,maps',
       },
       {
         id: 'rays',
-        title: { en: 'Second rays', ja: '二次光線' },
+        title: 'Second rays',
         picture: 'rays.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,item-buffer',
       },
       {
         id: 'all-rays',
-        title: { en: 'All rays', ja: 'すべて光線で' },
+        title: 'All rays',
         picture: 'compare/ray_tracing.png',
         table: 'study/counts.csv',
         row: 'scene,1,1,ray-tracing',
       },
       {
         id: 'difference',
-        title: { en: 'Why they differ', ja: '違いの原因' },
+        title: 'Why they differ',
         picture: 'compare/reasons.png',
         table: 'compare/differences.csv',
         row: 'another polygon',
@@ -161,13 +160,13 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     exhibit: 'radiosity',
     frames: [
       {
-        ...shot(1, '1 shot', '1 回'),
+        ...shot(1, '1 shot'),
         picture: 'first/shot_000001.png',
         table: 'first/convergence.csv',
       },
-      shot(20, '20 shots', '20 回'),
-      shot(100, '100 shots', '100 回'),
-      shot(200, '200 shots', '200 回'),
+      shot(20, '20 shots'),
+      shot(100, '100 shots'),
+      shot(200, '200 shots'),
     ],
   },
 };

@@ -1,5 +1,5 @@
 // The articles in their order, with the models of their figures and their place in the lecture.
-// A topic's texts are text/ID.en.txt and text/ID.ja.txt.
+// A topic's texts are text/ID.en.txt, text/ID.ja.txt, and those of other languages.
 import type { Language } from '../words/language';
 import { readArticle, type ArticleText } from './markup';
 import { exchange } from './models/exchange';
@@ -60,9 +60,15 @@ const files = import.meta.glob<string>('./text/*.txt', {
 });
 const read = new Map<string, ArticleText>();
 
+const fileOf = (id: string, language: Language): string => `./text/${id}.${language}.txt`;
+
+/** The language of the article's text: English if it is not written in this one. */
+export const writtenIn = (id: string, language: Language): Language =>
+  fileOf(id, language) in files ? language : 'en';
+
 export function articleOf(id: string, language: Language): ArticleText {
-  const path = `./text/${id}.${language}.txt`;
-  const known = read.get(path) ?? readArticle(files[path] ?? '');
+  const path = fileOf(id, writtenIn(id, language));
+  const known = read.get(path) ?? readArticle(files[path]!);
   read.set(path, known);
   return known;
 }

@@ -1,8 +1,6 @@
 // Questions as the command and the engine write them (hiddensurface/quiz/quiz_data.h), and what an
 // answer is worth.
-import type { Language } from '../words/language';
-
-export type Text = Readonly<Record<Language, string>>;
+import type { Text } from '../words/language';
 
 export interface Question {
   readonly kind: string;

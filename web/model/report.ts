@@ -66,7 +66,7 @@ export interface Report {
   readonly version: number;
   readonly file: string;
   readonly command: string;
-  readonly language: 'en' | 'ja';
+  readonly language: string;
   readonly scene: string;
   readonly renderer: string;
   readonly profile: { readonly name: string; readonly color_bits: number };

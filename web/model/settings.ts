@@ -1,6 +1,6 @@
 // The settings of all pages, and their place in the address. Does not touch the page:
 // PageHeader.svelte does.
-import type { Language } from '../words/language';
+import { languageFor, languages, type Language } from '../words/language';
 import type { Palette } from './palette';
 
 export interface Settings {
@@ -13,7 +13,7 @@ export interface Settings {
 /** The settings of a page that was opened without any, by a reader with these preferences. */
 export function defaultSettings(language: string, dark: boolean): Settings {
   return {
-    language: language.startsWith('ja') ? 'ja' : 'en',
+    language: languageFor(language),
     dark,
     projector: false,
     palette: 'scene',
@@ -30,7 +30,7 @@ export function putSettings(parts: URLSearchParams, settings: Settings, defaults
 export function settingsFrom(parts: URLSearchParams, defaults: Settings): Settings {
   const lang = parts.get('lang');
   return {
-    language: lang === 'ja' || lang === 'en' ? lang : defaults.language,
+    language: lang && languages.has(lang) ? lang : defaults.language,
     dark: parts.has('theme') ? parts.get('theme') === 'dark' : defaults.dark,
     projector: parts.get('projector') === '1',
     palette: parts.get('colors') === 'distinct' ? 'distinct' : 'scene',

@@ -9,6 +9,7 @@ import { volume } from '../articles/models/volume';
 import { windows } from '../articles/models/windows';
 import { placedNames } from '../articles/names';
 import { models } from '../articles/topics';
+import { nameOf } from '../words/names';
 
 /** Every spot moved to a few places, which are not on the lines of the others. */
 const placesOf = (model: Model): Spots[] => {
@@ -200,7 +201,7 @@ describe('the names of points', () => {
     const [left, bottom, right, top] = model.box;
     const scale = 640 / (right - left);
     const points = Object.entries(model.spots).map(([name, [x, y]]) => ({
-      text: model.names[name]![language],
+      text: nameOf('label', model.names[name]!, language),
       x: (x - left) * scale,
       y: (top - y) * scale,
     }));

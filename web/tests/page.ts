@@ -2,8 +2,8 @@
 import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 
-export function pageOf(name: string, data: readonly string[]): string {
-  const page = readFileSync(`dist/${name}.html`, 'utf8');
+export function pageOf(name: string, data: readonly string[], folder = 'dist'): string {
+  const page = readFileSync(`${folder}/${name}.html`, 'utf8');
   const scripts = data.map(
     (text) =>
       `<script class="data" type="text/plain">${gzipSync(text).toString('base64')}</script>`,

@@ -1,20 +1,23 @@
-import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { titledAlgorithms } from '../words/titles';
-import { codeNames, litLine, pseudoCode } from '../words/pseudo_code';
+import { everyWord, namesIn, stepWords } from '../every_word';
+import { nameOf } from '../words/names';
+import { codeNames, litLine, pseudoCode, type CodeLine } from '../words/pseudo_code';
+
+const japanese = (line: CodeLine): string => nameOf('code', line.text, 'ja');
 
 it('is there for every algorithm with a title, in ten to twenty lines', () => {
   expect([...codeNames].sort()).toEqual(
-    titledAlgorithms.filter((name) => name !== 'played').sort(),
+    namesIn(everyWord.names.title)
+      .filter((name) => name !== 'played')
+      .sort(),
   );
   for (const name of codeNames) {
     const lines = pseudoCode(name);
     expect(lines.length, name).toBeGreaterThanOrEqual(10);
     expect(lines.length, name).toBeLessThanOrEqual(20);
     for (const line of lines) {
-      expect(line.en, name).not.toBe('');
-      expect(line.ja, `${name}: ${line.en}`).not.toBe('');
-      expect(line.ja, `${name}: ${line.en}`).not.toContain('標本区間');
+      expect(line.text, name).not.toBe('');
+      expect(japanese(line), `${name}: ${line.text}`).not.toContain('標本区間');
     }
     expect(
       lines.some((line) => line.lit.includes('draw')),
@@ -25,7 +28,7 @@ it('is there for every algorithm with a title, in ten to twenty lines', () => {
 
 it('lights the line of the answer before that of the question', () => {
   const code = pseudoCode('newell');
-  const line = (test: string, result: string) => code[litLine(code, { test, result })]?.en ?? '';
+  const line = (test: string, result: string) => code[litLine(code, { test, result })]?.text ?? '';
   expect(line('farthest-corner', 'moved')).toContain('move Q');
   expect(line('farthest-corner', 'sorted')).toContain('sort all');
   expect(line('split', 'seen-plane')).toContain('cut one');
@@ -46,13 +49,11 @@ const agreeing = [
   ['pyramid-cube.hidden', 'pyramid-cube.hidden-by-cells'],
   ['pyramid-polygon.hidden', 'pyramid-polygon.hidden-by-cells'],
 ];
-const file = process.env['GW_STEP_WORDS'] ?? '../hiddensurface/run/step_words.json';
-const words = JSON.parse(readFileSync(file, 'utf8')) as Record<string, Record<string, unknown>>;
 
 it('lights different lines for answers of opposite meaning, in every algorithm', () => {
   const complaints: string[] = [];
   for (const name of codeNames)
-    for (const [test, answers] of Object.entries(words)) {
+    for (const [test, answers] of Object.entries(stepWords)) {
       const code = pseudoCode(name);
       const results = Object.keys(answers);
       for (const [i, one] of results.entries())
@@ -63,7 +64,7 @@ it('lights different lines for answers of opposite meaning, in every algorithm',
           const isAsked = code[at]!.isQuestion && [one, other].sort().join() === 'no,yes';
           const agrees = agreeing.some((set) => pair.every((answer) => set.includes(answer)));
           if (!isAsked && !agrees)
-            complaints.push(`${name}: "${code[at]!.en}" for ${pair.join(' and ')}`);
+            complaints.push(`${name}: "${code[at]!.text}" for ${pair.join(' and ')}`);
         }
     }
   expect(complaints).toEqual([]);
@@ -72,5 +73,5 @@ it('lights different lines for answers of opposite meaning, in every algorithm',
 it('asks in both languages', () => {
   for (const name of codeNames)
     for (const line of pseudoCode(name))
-      if (line.isQuestion) expect(line.ja, `${name}: ${line.en}`).toMatch(/か$/);
+      if (line.isQuestion) expect(japanese(line), `${name}: ${line.text}`).toMatch(/か$/);
 });

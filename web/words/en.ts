@@ -1,4 +1,5 @@
 // Every visible word of the pages that is not a step's sentence, in English.
+import { articles } from './articles_en';
 import { programs } from './programs_en';
 import { report } from './report_en';
 
@@ -46,7 +47,7 @@ export const en = {
   colors_distinct: 'for colour-blind people too',
   projector: 'Projector',
   theme: 'Dark',
-  language: '日本語',
+  language: 'Language',
   link: 'Copy the link',
   copied: 'Copied',
   export_png: 'PNG',
@@ -106,6 +107,7 @@ export const en = {
   show_few: 'Show four',
   ...report,
   ...programs,
+  ...articles,
   made_by: 'Made by',
   keys: 'Keys: ← → step, Shift decisive, Home End, space play, / search, p projector',
   legend_asked: 'asked',

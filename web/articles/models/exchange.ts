@@ -27,10 +27,10 @@ export const exchange: Model = {
   grid: 0.5,
   spots: { a: [-3, floor], b: [3, floor], c: [-2, 1], d: [2, 2] },
   names: {
-    a: { en: 'left end of strip 1', ja: '帯 1 の左端' },
-    b: { en: 'right end of strip 1', ja: '帯 1 の右端' },
-    c: { en: 'left end of strip 2', ja: '帯 2 の左端' },
-    d: { en: 'right end of strip 2', ja: '帯 2 の右端' },
+    a: 'left end of strip 1',
+    b: 'right end of strip 1',
+    c: 'left end of strip 2',
+    d: 'right end of strip 2',
   },
   limit: (name, [x, y]) =>
     name === 'a'

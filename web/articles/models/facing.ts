@@ -16,12 +16,12 @@ export const facing: Model = {
   grid: 0.5,
   spots: { eye: [0, -4.5], a: [-2, -1], b: [2, -1], c: [3, 1.5], d: [0, 3.5], e: [-3, 1.5] },
   names: {
-    eye: { en: 'eye', ja: '視点' },
-    a: { en: 'corner a', ja: '頂点 a' },
-    b: { en: 'corner b', ja: '頂点 b' },
-    c: { en: 'corner c', ja: '頂点 c' },
-    d: { en: 'corner d', ja: '頂点 d' },
-    e: { en: 'corner e', ja: '頂点 e' },
+    eye: 'eye',
+    a: 'corner a',
+    b: 'corner b',
+    c: 'corner c',
+    d: 'corner d',
+    e: 'corner e',
   },
   look: (spots) => {
     const eye = spots['eye']!;

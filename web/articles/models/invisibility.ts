@@ -37,10 +37,10 @@ export const invisibility: Model = {
   grid: 0.5,
   spots: { p: [-5, -1], q: [5, 1.5], a: [-1.5, 0], b: [1.5, 0.5] },
   names: {
-    p: { en: 'end p of the line', ja: '線の端 p' },
-    q: { en: 'end q of the line', ja: '線の端 q' },
-    a: { en: 'surface 1', ja: '面 1' },
-    b: { en: 'surface 2', ja: '面 2' },
+    p: 'end p of the line',
+    q: 'end q of the line',
+    a: 'surface 1',
+    b: 'surface 2',
   },
   look: (spots) => {
     const [p, q] = [spots['p']!, spots['q']!];

@@ -26,12 +26,12 @@ export const keys: Model = {
   grid: 0.5,
   spots: { a: [-5, -3], b: [5, 3], c: [-3, -0.5], d: [-1.5, -0.5], e: [1, 0.5], f: [3, 0.5] },
   names: {
-    a: { en: 'left end of wall 1', ja: '壁 1 の左端' },
-    b: { en: 'right end of wall 1', ja: '壁 1 の右端' },
-    c: { en: 'left end of wall 2', ja: '壁 2 の左端' },
-    d: { en: 'right end of wall 2', ja: '壁 2 の右端' },
-    e: { en: 'left end of wall 3', ja: '壁 3 の左端' },
-    f: { en: 'right end of wall 3', ja: '壁 3 の右端' },
+    a: 'left end of wall 1',
+    b: 'right end of wall 1',
+    c: 'left end of wall 2',
+    d: 'right end of wall 2',
+    e: 'left end of wall 3',
+    f: 'right end of wall 3',
   },
   look: (spots) => {
     const ends: Record<string, Wall> = {

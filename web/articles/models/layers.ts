@@ -19,13 +19,13 @@ export const layers: Model = {
     f: [2, -1],
   },
   names: {
-    eye: { en: 'eye', ja: '視点' },
-    a: { en: 'left end of wall 1', ja: '壁 1 の左端' },
-    b: { en: 'right end of wall 1', ja: '壁 1 の右端' },
-    c: { en: 'left end of wall 2', ja: '壁 2 の左端' },
-    d: { en: 'right end of wall 2', ja: '壁 2 の右端' },
-    e: { en: 'left end of wall 3', ja: '壁 3 の左端' },
-    f: { en: 'right end of wall 3', ja: '壁 3 の右端' },
+    eye: 'eye',
+    a: 'left end of wall 1',
+    b: 'right end of wall 1',
+    c: 'left end of wall 2',
+    d: 'right end of wall 2',
+    e: 'left end of wall 3',
+    f: 'right end of wall 3',
   },
   look: (spots) => {
     const eye = spots['eye']!;

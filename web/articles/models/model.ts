@@ -1,6 +1,5 @@
 // A figure that the page computes: points that are dragged, shapes and numbers that follow. The y
 // axis points upwards.
-import type { Language } from '../../words/language';
 
 export type Spot = readonly [number, number];
 export type Spots = Readonly<Record<string, Spot>>;
@@ -29,7 +28,7 @@ export interface Model {
   readonly box: readonly [number, number, number, number];
   readonly spots: Spots;
   /** Their names for those who do not see them. */
-  readonly names: Readonly<Record<string, Readonly<Record<Language, string>>>>;
+  readonly names: Readonly<Record<string, string>>;
   /** Spots lie on a grid of this width, and the arrow keys move them by it. */
   readonly grid: number;
   /** Where a spot may be; none: in the box. */

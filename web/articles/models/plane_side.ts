@@ -8,11 +8,11 @@ export const planeSide: Model = {
   grid: 0.5,
   spots: { eye: [0, -4.5], p: [-3.5, 2.5], q: [1, -1], c: [-3, -1.5], d: [4, 2] },
   names: {
-    eye: { en: 'eye', ja: '視点' },
-    p: { en: 'end p of wall 1', ja: '壁 1 の端 p' },
-    q: { en: 'end q of wall 1', ja: '壁 1 の端 q' },
-    c: { en: 'left end of wall 2', ja: '壁 2 の左端' },
-    d: { en: 'right end of wall 2', ja: '壁 2 の右端' },
+    eye: 'eye',
+    p: 'end p of wall 1',
+    q: 'end q of wall 1',
+    c: 'left end of wall 2',
+    d: 'right end of wall 2',
   },
   look: (spots) => {
     const [eye, p, q, c, d] = ['eye', 'p', 'q', 'c', 'd'].map((name) => spots[name]!) as [

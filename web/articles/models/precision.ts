@@ -17,9 +17,9 @@ export const precision: Model = {
   grid: 0.25,
   spots: { near: [1, 0], far: [100, tall], point: [40, tall / 2] },
   names: {
-    near: { en: 'near plane', ja: '手前の面' },
-    far: { en: 'far plane', ja: '奥の面' },
-    point: { en: 'point', ja: '点' },
+    near: 'near plane',
+    far: 'far plane',
+    point: 'point',
   },
   limit: (name, [x]) =>
     name === 'near'

@@ -25,12 +25,12 @@ export const ray: Model = {
     n: [4, 1],
   },
   names: {
-    pixel: { en: 'pixel', ja: '画素' },
-    light: { en: 'light', ja: '光源' },
-    c: { en: 'near end of wall 2', ja: '壁 2 の手前の端' },
-    d: { en: 'far end of wall 2', ja: '壁 2 の奥の端' },
-    m: { en: 'left end of the mirror', ja: '鏡の左端' },
-    n: { en: 'right end of the mirror', ja: '鏡の右端' },
+    pixel: 'pixel',
+    light: 'light',
+    c: 'near end of wall 2',
+    d: 'far end of wall 2',
+    m: 'left end of the mirror',
+    n: 'right end of the mirror',
   },
   limit: (name, [x, y]) => (name === 'pixel' ? [Math.min(2.5, Math.max(-2.5, x)), screen] : [x, y]),
   look: (spots) => {

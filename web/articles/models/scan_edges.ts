@@ -8,10 +8,10 @@ export const scanEdges: Model = {
   grid: 1,
   spots: { a: [3, 2], b: [21, 6], c: [9, 16], line: [23, 8] },
   names: {
-    a: { en: 'corner a', ja: '頂点 a' },
-    b: { en: 'corner b', ja: '頂点 b' },
-    c: { en: 'corner c', ja: '頂点 c' },
-    line: { en: 'scan line', ja: '走査線' },
+    a: 'corner a',
+    b: 'corner b',
+    c: 'corner c',
+    line: 'scan line',
   },
   limit: (name, [x, y]) => (name === 'line' ? [23, Math.min(17, y)] : [x, y]),
   look: (spots) => {

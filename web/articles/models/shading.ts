@@ -13,7 +13,7 @@ export const shading: Model = {
   box: [-6, -1, 6, 7],
   grid: 0.5,
   spots: { light: [-3, 4], eye: [2, 5] },
-  names: { light: { en: 'light', ja: '光源' }, eye: { en: 'eye', ja: '視点' } },
+  names: { light: 'light', eye: 'eye' },
   limit: (_, [x, y]) => [Math.min(4.5, x), Math.max(0.5, y)],
   look: (spots) => {
     const toLight = unit(spots['light']!);

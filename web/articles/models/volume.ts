@@ -41,13 +41,13 @@ export const volume: Model = {
     d: [1, 2],
   },
   names: {
-    light: { en: 'light', ja: '光源' },
-    eye: { en: 'eye', ja: '視点' },
-    point: { en: 'point', ja: '点' },
-    a: { en: 'end of wall 1', ja: '壁 1 の端' },
-    b: { en: 'other end of wall 1', ja: '壁 1 のもう一方の端' },
-    c: { en: 'end of wall 2', ja: '壁 2 の端' },
-    d: { en: 'other end of wall 2', ja: '壁 2 のもう一方の端' },
+    light: 'light',
+    eye: 'eye',
+    point: 'point',
+    a: 'end of wall 1',
+    b: 'other end of wall 1',
+    c: 'end of wall 2',
+    d: 'other end of wall 2',
   },
   look: (spots) => {
     const [light, eye, point] = [spots['light']!, spots['eye']!, spots['point']!];

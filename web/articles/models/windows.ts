@@ -41,9 +41,9 @@ export const windows: Model = {
   grid: 1,
   spots: { a: [2, 1], b: [15, 4], c: [6, 14] },
   names: {
-    a: { en: 'corner a', ja: '頂点 a' },
-    b: { en: 'corner b', ja: '頂点 b' },
-    c: { en: 'corner c', ja: '頂点 c' },
+    a: 'corner a',
+    b: 'corner b',
+    c: 'corner c',
   },
   look: (spots) => {
     const triangle = ['a', 'b', 'c'].map((name) => spots[name]!);

@@ -2,7 +2,7 @@
 import { known } from '../../model/settings';
 import type { ExhibitState } from '../exhibit/exhibit';
 import type { View } from '../machine/protocol';
-import { stories } from './stories';
+import { stories } from '../../model/steps/stories';
 
 export interface HiddenOptions extends View {
   readonly algorithm: string;

@@ -1,6 +1,6 @@
 // A step log as `gw hidden --steps` writes it: lines of JSON, described in docs/step_logs.md
 // and checked by steps.schema.json. y counts downwards from the picture's upper edge.
-import type { Language } from '../../words/language';
+import type { Text } from '../../words/language';
 import type { Point } from '../point';
 import type { Blame } from './blame';
 
@@ -47,9 +47,7 @@ export interface View {
 }
 
 /** By test, by result: a sentence with the names of values in braces. */
-export type SentenceWords = Readonly<
-  Record<string, Readonly<Record<string, Readonly<Record<Language, string>>>>>
->;
+export type SentenceWords = Readonly<Record<string, Readonly<Record<string, Text>>>>;
 
 export interface Header {
   readonly log: 'gw hidden steps';

@@ -1,6 +1,6 @@
 // A step's sentence, made from the words of the log and the step's values.
 import type { Header, Step, Value } from './log';
-import type { Language } from '../../words/language';
+import { inLanguage, languages, type Language } from '../../words/language';
 
 /** Six digits as C's %.6g; all whole digits of large numbers. */
 export function general(value: number): string {
@@ -43,7 +43,10 @@ function wordOf(step: Step, name: string): string | undefined {
 
 /** What a step lacks stays in braces. */
 export function sentence(header: Header, step: Step, language: Language): string {
-  const pattern = header.words[step.test]?.[step.result]?.[language];
+  const { test, result } = step;
+  const known = header.words[test]?.[result];
+  const pattern =
+    languages.get(language)?.steps?.[test]?.[result] ?? (known && inLanguage(known, language));
   if (pattern === undefined) return `${step.test}: ${step.result}`;
   return pattern.replace(/\{(\w+)\}/g, (braces, name: string) => wordOf(step, name) ?? braces);
 }

@@ -1,9 +1,5 @@
-// The same words in Japanese.
-import type { Words } from './en';
-import { programs } from './programs_ja';
-import { report } from './report_ja';
-
-export const ja: Words = {
+// The player, the comparison and the lab.
+export const words = {
   of: '／',
   yes: 'はい',
   no: 'いいえ',
@@ -47,7 +43,7 @@ export const ja: Words = {
   colors_distinct: '色覚によらず見分けられる色',
   projector: '投影用',
   theme: '暗い背景',
-  language: 'English',
+  language: '言語',
   link: 'リンクをコピー',
   copied: 'コピーしました',
   export_png: 'PNG',
@@ -105,8 +101,6 @@ export const ja: Words = {
   show_wrong: '誤りのあるものを表示',
   show_all: 'すべて表示',
   show_few: '四つ表示',
-  ...report,
-  ...programs,
   made_by: '作成コマンド',
   keys: 'キー：← → ステップ、Shift 決め手、Home End、スペース 再生、/ 検索、p 投影用',
   legend_asked: '調べるもの',

@@ -1,4 +1,4 @@
-// The words of the exhibit of programs, in Japanese. A part of ja.ts.
+// The exhibit of programs.
 export const programs = {
   lab_programs: '1991年のプログラム',
   lab_programs_look:

@@ -1,7 +1,5 @@
-// The same words in Japanese. A part of ja.ts.
-import type { report as english } from './report_en';
-
-export const report: Readonly<Record<keyof typeof english, string>> = {
+// The page of a recording.
+export const report = {
   report_title: '{0} のパス',
   facts_name: '記録の全体',
   facts: '{0} パス · {1} × {2} 画素 · プロファイル {3} · {4} · VGX での推定時間 {5}',

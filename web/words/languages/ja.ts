@@ -1,0 +1,20 @@
+// Japanese. The sentences of steps come with the logs.
+import type { Translation } from '../language';
+import { articles } from './ja/articles';
+import { code } from './ja/code';
+import { label, scene, title } from './ja/figures';
+import { names } from './ja/names';
+import { programs } from './ja/programs';
+import { quiz } from './ja/quiz';
+import { report } from './ja/report';
+import { stories } from './ja/stories';
+import { words } from './ja/words';
+
+export default {
+  name: '日本語',
+  words: { ...words, ...report, ...programs, ...articles },
+  quiz,
+  stories,
+  names: { ...names, title, scene, code, label },
+  steps: {},
+} satisfies Translation;
