@@ -3,6 +3,8 @@
 import { linesOfText } from './caption';
 import { drawingOf } from './export';
 import type { Step } from './steps/log';
+import { stagesIn, type Story } from './steps/stories';
+import { storyIn, type Language } from '../words/language';
 
 export const [slideWidth, slideHeight] = [1280, 720];
 /** More decisive steps are left out. */
@@ -21,6 +23,11 @@ export function decisiveStops(steps: readonly Step[]): Stop[] {
   const all = steps.flatMap((step, i) => (step.decisive === true ? [{ at: i + 1 }] : []));
   const first = all.slice(0, mostSlides - 1);
   return first.at(-1)?.at === steps.length ? first : [...first, { at: steps.length }];
+}
+
+export function storyStops(story: Story, steps: readonly Step[], language: Language): Stop[] {
+  const said = storyIn(story.id, language, true);
+  return stagesIn(story, steps).map(({ at, stage }) => ({ at, told: said[stage] }));
 }
 
 export interface SlideText {

@@ -49,6 +49,14 @@ describe.each(files)('%s', (code, file) => {
     expect(missing).toEqual([]);
   });
 
+  it('speaks of the page in the same stages of the stories', () => {
+    for (const [id, stages] of Object.entries(everyWord.stories))
+      for (const [name, text] of Object.entries(stages)) {
+        const told = (file.stories as Record<string, Record<string, string>>)[id]![name]!;
+        expect(told.split('|').length, `${id}.${name}`).toBe(text.split('|').length);
+      }
+  });
+
   it('has every line of its tables once, and none that nobody shows', () => {
     for (const [kind, wanted] of Object.entries(everyWord.names)) {
       const text = file.names?.[kind as keyof Translation['names']];
@@ -74,10 +82,15 @@ it('finds the languages by their files', () => {
 it('says in English what a language lacks', () => {
   expect(wordsOf('xx')).toEqual(en);
   expect(quizWordsOf('xx')).toEqual(quiz);
-  expect(storyIn('first', 'xx')).toEqual(everyWord.stories.first);
+  expect(storyIn('pinwheel', 'xx')).toEqual(storyIn('pinwheel', 'en'));
   expect(nameOf('count', 'keys', 'xx')).toBe('keys');
   expect(passName('light key', 'xx')).toBe('light key');
   expect(inLanguage({ en: 'Next', ja: '次へ' }, 'xx')).toBe('Next');
+});
+
+it('leaves out of slides what a story says of the page', () => {
+  expect(storyIn('pinwheel', 'en')['split']).toMatch(/^One cut opens the ring\. Positive/);
+  expect(storyIn('pinwheel', 'en', true)['split']).toBe('One cut opens the ring.');
 });
 
 it('knows a file that is not whole by its type', () => {

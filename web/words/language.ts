@@ -70,12 +70,16 @@ function kept<Value>(make: (file: Begun) => Value): (language: Language) => Valu
 export const wordsOf = kept((file): Words => ({ ...en, ...file.words }));
 export const quizWordsOf = kept((file): QuizWords => ({ ...quiz, ...file.quiz }));
 
-export const storyIn = (
+/** A slide has no page to speak of. */
+export function storyIn(
   id: keyof Stories,
   language: Language,
-): Readonly<Record<string, string>> => ({
-  ...stories[id],
-  ...languages.get(language)?.stories?.[id],
-});
+  isSlide = false,
+): Readonly<Record<string, string>> {
+  const told = { ...stories[id], ...languages.get(language)?.stories?.[id] };
+  const said = (text: string): string =>
+    isSlide ? text.split('|', 1)[0]!.trim() : text.replace('|', '');
+  return Object.fromEntries(Object.entries(told).map(([name, text]) => [name, said(text)]));
+}
 
 export const inLanguage = (text: Text, language: Language): string => text[language] ?? text.en;

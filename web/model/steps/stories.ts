@@ -1,5 +1,7 @@
-// Stories: a scene, an algorithm, and a few stages, which words/stories.ts tells.
+// Stories: a scene, an algorithm (stories.json, which scripts/slides reads too), and a few stages,
+// which words/stories.ts tells.
 import type { Step } from './log';
+import list from './stories.json';
 import { stories as told, type Stories } from '../../words/stories';
 
 export interface Story {
@@ -10,43 +12,7 @@ export interface Story {
   readonly size: string;
 }
 
-export const stories: readonly Story[] = [
-  {
-    id: 'first',
-    scene: 'hidden/cycle.toml',
-    algorithm: 'newell',
-    level: 'polygon',
-    size: '320x240',
-  },
-  {
-    id: 'painter',
-    scene: 'hidden/centroid_fails.toml',
-    algorithm: 'painter-farthest',
-    level: 'polygon',
-    size: '320x240',
-  },
-  {
-    id: 'pinwheel',
-    scene: 'hidden/pinwheel.toml',
-    algorithm: 'newell',
-    level: 'polygon',
-    size: '320x240',
-  },
-  {
-    id: 'z-buffer',
-    scene: 'hidden/five.toml',
-    algorithm: 'z-buffer',
-    level: 'polygon',
-    size: '320x240',
-  },
-  {
-    id: 'scan-line',
-    scene: 'hidden/five.toml',
-    algorithm: 'scan-line',
-    level: 'span',
-    size: '64x48',
-  },
-];
+export const stories = list as readonly Story[];
 
 /** 'begin', 'end', "test" or "test.answer". */
 export const stagesOf = (story: Story): readonly string[] =>

@@ -3,6 +3,7 @@ import { execFileSync } from 'node:child_process';
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
+import { storyIn } from '../../words/language';
 import { text } from '../samples/log';
 import { describePages } from './browser';
 
@@ -221,6 +222,32 @@ describePages('the player', (pages) => {
       const size = await pages.page.$eval('svg', (e) => e.getBoundingClientRect().toJSON());
       expect(size).toMatchObject({ width: 1280, height: 720 });
       expect(await pages.page.$$eval('image', (all) => all.length)).toBe(1);
+    },
+    300_000,
+  );
+
+  it.skipIf(scenes === '')(
+    'shows the stages of a story as slides, in both languages, and names the stories',
+    () => {
+      const slides = (...options: string[]) =>
+        execFileSync(join(scenes, '../scripts/slides'), options, { stdio: 'pipe' });
+      for (const language of ['en', 'ja']) {
+        const out = join(pages.folder, language);
+        slides('painter', out, '--language', language);
+        const said = storyIn('painter', language, true);
+        const files = readdirSync(out).filter((name) => name.endsWith('.svg'));
+        const texts = files.sort().map((name) => readFileSync(join(out, name), 'utf8'));
+        expect(texts).toHaveLength(3);
+        ['begin', 'distance.sorted', 'end'].forEach((stage, i) => {
+          expect(texts[i]).toContain(said['title']);
+          expect(texts[i]).toContain(`${said['title']} ${said[stage]}`);
+        });
+        expect(readFileSync(join(out, 'slides.pdf'), 'latin1')).toMatch(/^%PDF/);
+      }
+      expect(() => slides('nope', pages.folder)).toThrow(
+        /no story; the stories are first, painter/,
+      );
+      expect(() => slides('first', pages.folder, '--size', '9x9')).toThrow(/has its own algorithm/);
     },
     300_000,
   );
