@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 
 namespace gw {
 namespace {
@@ -218,6 +219,18 @@ void complete(std::span<std::uint16_t> rgba) {
         std::uint16_t* const t = &rgba[i];
         const Rgba texel = completed(format, {t[0], t[1], t[2], t[3]}, 65535);
         for (std::size_t c = 0; c < 4; ++c) t[c] = texel[c];
+    }
+}
+
+/// The same, a texel at once.
+template <>
+void complete<TextureFormat::RGB>(std::span<std::uint16_t> rgba) {
+    constexpr auto alpha = std::bit_cast<std::uint64_t>(Rgba{0, 0, 0, 65535});
+    for (std::size_t i = 0; i < rgba.size(); i += 4) {
+        std::uint64_t texel;
+        std::memcpy(&texel, &rgba[i], sizeof texel);
+        texel |= alpha;
+        std::memcpy(&rgba[i], &texel, sizeof texel);
     }
 }
 

@@ -84,10 +84,6 @@ PixelType as_bytes(GLenum format, GLenum type) {
     return {format, type};
 }
 
-std::uint32_t packed_number(const PackedType& packed, const std::byte* at) {
-    return load_number(packed.bytes, at);
-}
-
 void store_packed_number(const PackedType& packed, std::byte* at, std::uint32_t number) {
     store_number(packed.bytes, at, number);
 }

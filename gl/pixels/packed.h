@@ -28,9 +28,8 @@ struct PixelType {
 /// The format of GL_UNSIGNED_BYTE that has the same bytes in memory, if there is one; else these two.
 PixelType as_bytes(GLenum format, GLenum type);
 
-/// A pixel as a number, and where a component is in it.
-std::uint32_t packed_number(const PackedType& packed, const std::byte* at);
 void store_packed_number(const PackedType& packed, std::byte* at, std::uint32_t number);
+/// Where a component is in a pixel as a number.
 struct PackedComponent {
     unsigned shift = 0;
     std::uint32_t largest = 0;  ///< 0: no such component

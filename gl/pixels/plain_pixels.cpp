@@ -23,16 +23,16 @@ constexpr T component_of_one = std::is_integral_v<T> ? std::numeric_limits<T>::m
 template <class T, std::size_t Count, std::size_t... From>
 bool convert(std::span<const std::byte> bytes, const auto& channel_of, std::span<Rgba> out) {
     const std::uint16_t one = channel_of(component_of_one<T>);
-    const std::byte* from = bytes.data();
-    for (Rgba& pixel : out) {
-        std::array<T, Count> components;
-        std::memcpy(components.data(), from, sizeof components);
-        const auto channel = [&]<std::size_t i>(std::integral_constant<std::size_t, i>) {
-            if constexpr (i < Count) return channel_of(components[i]);
-            return i == Count ? one : std::uint16_t{0};
-        };
-        pixel = {channel(std::integral_constant<std::size_t, From>())...};
-        from += sizeof components;
+    for (std::size_t p = 0; p < out.size(); ++p) {
+        std::array<std::uint16_t, Count + 2> values;
+        for (std::size_t i = 0; i < Count; ++i) {
+            T component;
+            std::memcpy(&component, bytes.data() + (p * Count + i) * sizeof(T), sizeof(T));
+            values[i] = channel_of(component);
+        }
+        values[Count] = one;
+        values[Count + 1] = 0;
+        out[p] = {values[From]...};
     }
     return true;
 }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace gw::gl {
 
@@ -184,14 +185,23 @@ void store_packed_rgba(const Context& context, const PackedType& packed, GLenum 
         }
     }
     const std::byte* at = bytes.data();
-    for (Rgba& pixel : out) {
-        const std::uint32_t number = packed_number(packed, at);
-        for (std::size_t k = 0; k < 4; ++k) {
-            const PackedComponent& c = channels[k].from;
-            pixel[k] = channels[k].table[number >> c.shift & c.largest];
+    const auto store = [&](auto number) {
+        for (Rgba& pixel : out) {
+            std::memcpy(&number, at, sizeof number);
+            const auto channel = [&](std::size_t k) {
+                const PackedComponent& c = channels[k].from;
+                return channels[k].table[number >> c.shift & c.largest];
+            };
+            pixel = {channel(0), channel(1), channel(2), channel(3)};
+            at += sizeof number;
         }
-        at += packed.bytes;
-    }
+    };
+    if (packed.bytes == 1)
+        store(std::uint8_t{});
+    else if (packed.bytes == 2)
+        store(std::uint16_t{});
+    else
+        store(std::uint32_t{});
 }
 
 }  // namespace

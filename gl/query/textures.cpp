@@ -10,9 +10,11 @@
 #include "gl/pixels/transfer.h"
 #include "gl/query/get.h"
 #include "gl/state/texture_targets.h"
-#include "gw/base/arithmetic.h"
+#include "gw/base/to_bytes.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <optional>
 
 namespace gw::gl {
@@ -160,27 +162,35 @@ public:
         if (base == GL_ALPHA || is_luminance) keep_[1] = keep_[2] = 0;
         if (base == GL_RGB || base == GL_INTENSITY || base == GL_LUMINANCE) {
             keep_[3] = 0;
-            added_alpha_ = 0xFFFF;
+            added_[3] = 0xFFFF;
         }
     }
+    bool keep_all() const { return keep_ == Rgba{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}; }
     Rgba of(const TextureImage& image, std::size_t i) const {
-        const std::uint16_t* const texel = &image.texels[4 * i];
-        const auto kept = [&](std::size_t k) { return std::uint16_t(texel[k] & keep_[k]); };
-        return {kept(0), kept(1), kept(2), std::uint16_t(kept(3) | added_alpha_)};
+        std::uint64_t texel;
+        std::memcpy(&texel, &image.texels[4 * i], sizeof texel);
+        texel &= std::bit_cast<std::uint64_t>(keep_);
+        texel |= std::bit_cast<std::uint64_t>(added_);
+        Rgba out;
+        std::memcpy(&out, &texel, sizeof out);
+        return out;
     }
 
 private:
-    Rgba keep_{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
-    std::uint16_t added_alpha_ = 0;
+    Rgba keep_{0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF}, added_{};
 };
 
 /// Texels as bytes of a format. Empty: pack_words() does not know it.
 std::vector<std::byte> texel_bytes(const TextureImage& image, GLenum format) {
     const FormatChannels channels(image.internal_format);
     std::vector<std::uint32_t> words(image.texels.size() / 4);
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const Rgba texel = channels.of(image, i);
-        for (std::size_t k = 0; k < 4; ++k) words[i] |= rescale(texel[k], 16, 8) << 8 * k;
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(words.data());
+    if (channels.keep_all()) {
+        rescale_to_bytes(image.texels, bytes);
+    } else {
+        std::vector<Rgba> texels(words.size());
+        for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = channels.of(image, i);
+        rescale_to_bytes({texels.data()->data(), 4 * texels.size()}, bytes);
     }
     std::vector<std::byte> out(words.size() * std::size_t(component_count(format)));
     if (!pack_words(words, format, out.data())) out.clear();

@@ -2,6 +2,7 @@
 
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
+#include "gw/base/to_bytes.h"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +11,7 @@
 namespace gw {
 namespace {
 
-/// The rounding of 16-bit values. 8 bits: rescale(v, 16, 8) = (v + 128) / 257.
-struct ToBytes {
-    static std::uint32_t color(std::uint32_t v) { return v; }
-    std::uint32_t operator()(std::uint32_t v) const { return (v + 128 - ((v + 128) >> 8)) >> 8; }
-};
+/// The rounding of 16-bit values.
 struct ToBits {
     int texel_bits, bits;
     static std::uint32_t color(std::uint32_t v) { return v; }
@@ -55,6 +52,16 @@ void round_inner(Texels& t, const TexelLevel& level, const TextureLevel& from, c
     }
 }
 
+/// The same of the usual 8 bits, channel by channel: R is the first byte of a word.
+void round_to_bytes(Texels& t, const TexelLevel& level, const TextureLevel& from,
+                    const Rect& part) {
+    for (int y = part.y; y < part.y + part.height; ++y) {
+        const std::uint16_t* const row = &from.rgba[4 * pixel_index(part.x, y, level.width)];
+        rescale_to_bytes({row, 4 * std::size_t(part.width)},
+                         reinterpret_cast<std::uint8_t*>(&t.packed[level.index(part.x, y)]));
+    }
+}
+
 /// The texels of a level with a border. In one dimension the rows above and below repeat the one
 /// row: t is 0 there.
 template <class Round>
@@ -76,6 +83,9 @@ void round_bordered(Texels& t, TexelLevel& level, const TextureLevel& from, cons
 /// Takes a rectangle of a level's stored texels over.
 void round_part(Texels& t, TexelLevel& level, const TextureLevel& from, const Rect& part,
                 int texel_bits) {
+    constexpr bool is_little = std::endian::native == std::endian::little;
+    if (is_little && t.bits == 8 && texel_bits == 8 && !t.srgb && level.bordered.empty())
+        return round_to_bytes(t, level, from, part);
     const auto take = [&](auto round) {
         if (level.bordered.empty())
             round_inner(t, level, from, part, round);
@@ -84,8 +94,6 @@ void round_part(Texels& t, TexelLevel& level, const TextureLevel& from, const Re
     };
     if (t.srgb)
         take(ToLinear{{texel_bits, t.bits}});
-    else if (t.bits == 8 && texel_bits == 8)
-        take(ToBytes{});
     else
         take(ToBits{texel_bits, t.bits});
 }

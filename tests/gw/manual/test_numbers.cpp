@@ -1,9 +1,13 @@
 // docs/manual/numbers.md: the worked examples.
 #include "gw/base/arithmetic.h"
+#include "gw/base/to_bytes.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace gw {
 namespace {
@@ -41,6 +45,15 @@ TEST(ManualNumbers, RescalingUpAndDownKeepsAValue) {
                 const std::uint64_t from = (1u << n) - 1, to = (1u << m) - 1;
                 ASSERT_EQ(rescale(v, n, m), (2 * v * to + from) / (2 * from));
             }
+}
+
+TEST(ManualNumbers, RescaleToBytesOfAllValues) {
+    std::vector<std::uint16_t> values(65536);
+    std::iota(values.begin(), values.end(), std::uint16_t{0});
+    std::vector<std::uint8_t> bytes(values.size());
+    rescale_to_bytes(values, bytes.data());
+    for (std::uint32_t v = 0; v < 65536; ++v)
+        ASSERT_EQ(bytes[v], (2 * v * 255 + 65535) / (2 * 65535)) << v;
 }
 
 // [R2.6]
