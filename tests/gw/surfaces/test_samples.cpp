@@ -78,6 +78,16 @@ TEST(ManualSamples, TheMeanOfFour) {
     EXPECT_EQ(bench.mean_red(), 255);
 }
 
+/// With 12 bits a channel.
+// [R1.3]
+TEST(ManualSamples, OfTheRealityEngine) {
+    Profile profile = reality();
+    profile.extensions.surfaces = profile.extensions.multisample = true;
+    SampleBench bench(4, 1, 1, profile);
+    EXPECT_EQ(bench.written(left_of(0.5)), 2u);
+    EXPECT_EQ(bench.mean_red(), 2048);
+}
+
 using Places = std::vector<std::array<int, 2>>;
 const std::map<int, Places> places{
     {2, {{6, 6}, {2, 2}}},
