@@ -84,13 +84,28 @@ function data(): Plugin {
   };
 }
 
+/** What may be wrong with a program, by language. */
+function messages(): Record<string, unknown> {
+  const folder = join(project, 'hiddensurface/run');
+  const files = readdirSync(folder).filter((name) => /^messages\..*\.json$/.test(name));
+  return Object.fromEntries(
+    files.map((name) => [
+      name.split('.')[1],
+      JSON.parse(readFileSync(join(folder, name), 'utf8')) as unknown,
+    ]),
+  );
+}
+
 const version = /^project\(gw VERSION ([\d.]+)/m.exec(
   readFileSync(join(project, 'CMakeLists.txt'), 'utf8'),
 )![1];
 
 export default defineConfig({
   root: 'lab',
-  define: { __GW_VERSION__: JSON.stringify(version) },
+  define: {
+    __GW_VERSION__: JSON.stringify(version),
+    __GW_MESSAGES__: JSON.stringify(messages()),
+  },
   plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile(), data()],
   build: {
     outDir: process.env.GW_WEB_OUT ?? '../dist-lab',

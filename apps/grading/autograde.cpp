@@ -35,7 +35,7 @@ struct AutogradeOptions {
     Size size{320, 240};
     int seconds = 10, memory = 1024, disk = 64, processes = 64, points = 10, jobs = 0;
     Isolation isolation = Isolation::Namespaces;
-    std::string command;
+    std::string command, language = "en";
     bool single = false, resume = false, quiet = false;
     Form form = Form::Text;
 };
@@ -100,6 +100,14 @@ void add_options(CLI::App& command, AutogradeOptions& options) {
             "How every submission is run, instead of by its file's name: a shell's command; "
             "$1 is the file of the polygons")
         ->type_name("COMMAND");
+    command
+        .add_option_function<std::string>(
+            "--language",
+            [&](const std::string& word) {
+                options.language = one_of("--language", word, {"en", "ja"});
+            },
+            "Of the feedback, en or ja (default en)")
+        ->type_name("NAME");
     command.add_flag("--single", options.single,
                      "SUBMISSIONS is one submission, and its results.json is in DIR");
     add_number(command, "--points", options.points, 1, 1000, "Points of a scene");
@@ -153,9 +161,9 @@ std::vector<GradingTask> tasks_of(const AutogradeOptions& options, const fs::pat
 Grading grading_of(const AutogradeOptions& options, const fs::path& scratch, Session& session) {
     constexpr std::size_t megabyte = std::size_t{1} << 20;
     Grading grading;
-    std::string about = fmt::format("{} {} {} {} {} {} {} {}", version(), options.seconds,
+    std::string about = fmt::format("{} {} {} {} {} {} {} {} {}", version(), options.seconds,
                                     options.memory, options.disk, options.processes, options.points,
-                                    int(options.isolation), options.command);
+                                    int(options.isolation), options.language, options.command);
     grading.tasks = tasks_of(options, scratch, session, about);
     grading.allowance = {options.isolation,
                          options.seconds,
@@ -168,6 +176,7 @@ Grading grading_of(const AutogradeOptions& options, const fs::path& scratch, Ses
     grading.size = fmt::format("{}x{}", options.size.width, options.size.height);
     grading.command = options.command;
     grading.points = options.points;
+    grading.language = options.language;
     grading.about = digest_of_text(about);
     grading.scratch = scratch;
     return grading;

@@ -3,6 +3,7 @@
 #include "apps/grading/limited_run.h"
 #include "gw/error.h"
 #include "gw/escape_controls.h"
+#include "hiddensurface/run/messages.h"
 #include "image/output/output_file.h"
 
 #include <fmt/format.h>
@@ -148,7 +149,7 @@ GradedScene grade_scene(const Grading& grading, const GradingTask& task, const W
             is_right ? grading.points : 0,
             grading.points,
             run.seconds,
-            escape_controls(mark->feedback, "\n\t"),
+            escape_controls(hiddensurface::messages_in(mark->feedback, grading.language), "\n\t"),
             has_player ? task.name + "/player.html" : ""};
 }
 
@@ -171,8 +172,12 @@ GradedSubmission grade_submission(const Grading& grading, const Submission& subm
         graded.scenes.push_back(
             way.fault.empty()
                 ? grade_scene(grading, task, way, places, folder, slot)
-                : GradedScene{task.name, "no program", 0, grading.points, 0,
-                              escape_controls("The submission " + way.fault + ".\n", "\n"), ""});
+                : GradedScene{
+                      task.name, "no program", 0, grading.points, 0,
+                      escape_controls(hiddensurface::messages_in(
+                                          "The submission " + way.fault + ".\n", grading.language),
+                                      "\n"),
+                      ""});
     }
     image::write_file(results, results_json(graded));
     return graded;

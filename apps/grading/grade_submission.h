@@ -20,6 +20,7 @@ struct Grading {
     std::string size;                            ///< "320x240"
     std::string command;                         ///< to run a submission; "" to find one
     int points = 10;                             ///< of a scene
+    std::string language = "en";                 ///< of the feedback
     std::string about;                           ///< all that marks depend on besides the files
     std::filesystem::path scratch;               ///< whose folders all may enter
 };

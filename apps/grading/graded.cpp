@@ -74,7 +74,7 @@ std::string link_to(const std::string& path) {
     return text;
 }
 
-/// The page speaks English and Japanese; feedback is English.
+/// The page speaks English and Japanese; feedback is in the language that was asked for.
 std::string said(const char* en, const char* ja) {
     return fmt::format("{} <span lang=\"ja\">{}</span>", en, ja);
 }

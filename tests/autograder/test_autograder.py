@@ -214,6 +214,25 @@ class Class(unittest.TestCase):
                       "other files: No such file"):
             self.assertIn(words, self.feedback["hostile"])
 
+    def test_feedback_is_japanese_but_for_the_words_of_programs(self):
+        names = ("wrong", "endless", "broken", "empty", "two", "linked", "silent", "dies", "right")
+        shutil.copytree(work / "class", work / "japanese", symlinks=True,
+                        ignore=lambda folder, found: [
+                            name for name in found if pathlib.Path(folder) == work / "class"
+                            and name.split(".")[0] not in names])
+        autograde(work / "japanese", "-o", work / "seiseki", "--time", "2", "--language", "ja")
+        said = {name: json.loads((work / "seiseki/students" / name / "results.json").read_text())
+                ["tests"][0]["output"] for name in names}
+        for name, words in {
+                "wrong": "画素が誤りです。\nステップ ", "endless": "計算時間 2 秒",
+                "broken": "知らないポリゴン '999'", "empty": "プログラムがない", "two": "2 個ある",
+                "linked": "リンク", "silent": "ステップがありません", "right": "すべての画素が正解です。",
+                "dies": "シグナル 11 (Segmentation fault)"}.items():
+            self.assertIn(words, said[name])
+        self.assertIn("what\\x1b[31m <b>", said["dies"])
+        for name in set(names) - {"dies"}:
+            self.assertNotRegex(said[name], "[A-Za-z]+ [a-z]+ [a-z]+", name)
+
     def test_nothing_is_reached_or_left(self):
         self.server.setblocking(False)
         with self.assertRaises(BlockingIOError):

@@ -1,7 +1,9 @@
 // Claims: the log of every algorithm, played, gives its picture; pieces drawn by outline have every
 // pixel of their polygon once; the polygons for a program and the documents' examples of steps obey
-// steps.schema.json; a bad line is refused with its number.
+// steps.schema.json; a bad line is refused with its number, and in
+// Japanese.
 #include "gw/error.h"
+#include "hiddensurface/run/messages.h"
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
 #include "tests/hiddensurface/cases.h"
@@ -9,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
 
 namespace gw::hiddensurface {
@@ -55,6 +58,12 @@ std::string error_of(const Trial& trial, const std::string& text) {
         return error.what();
     }
     return "";
+}
+
+/// Two words in a row, but in quotation marks and brackets, where a program's own text stands.
+bool has_english_words(const std::string& text) {
+    static const std::regex quoted(R"('[^']*'|"[^"]*"|\[[^\]]*\]|\{.*\})"), two("[A-Za-z]+ [a-z]+");
+    return std::regex_search(std::regex_replace(text, quoted, ""), two);
 }
 
 }  // namespace
@@ -205,6 +214,8 @@ TEST(Play, RefusesABadLineByItsNumber) {
         EXPECT_EQ(error.substr(0, 10), "answer:2: ") << line.substr(0, 80) << ": " << error;
         EXPECT_NE(error.find(message), error.npos) << line.substr(0, 80) << ": " << error;
         EXPECT_LT(error.size(), 300u) << error;
+        const std::string japanese = messages_in(error.substr(10), "ja");
+        EXPECT_FALSE(has_english_words(japanese)) << japanese;
     }
     EXPECT_NE(error_of(trial, "").find("no step; expected"), std::string::npos);
     const std::string whole = R"({"log":"gw hidden steps","version":1,"size":[64,48]})"
@@ -279,6 +290,23 @@ TEST(Blame, IsEmptyForARightPicture) {
     StepLog log(Level::Polygon);
     const Result result = trial.run("newell", log);
     EXPECT_EQ(blame_of(log.steps(), result, trial.input.view.width), std::vector<Blame>());
+}
+
+TEST(Play, TellsAGradeInJapaneseAndKeepsWhatAProgramPrinted) {
+    EXPECT_EQ(messages_in("Step 5 painted 3 over 1 at 3600 pixels, first at (260, 90). Expected: "
+                          "the background.\nTraceback (most recent call last):\n",
+                          "ja"),
+              "ステップ 5 が 3 を 1 の上に 3600 画素塗りました。最初の画素は (260, 90) "
+              "です。正しくは 背景 です。\nTraceback (most recent call last):\n");
+    EXPECT_EQ(messages_in("step:2: 'z' is a list; expected text", "ja"),
+              "2 番目のステップ：'z' は リスト です。必要なもの：文字列");
+    EXPECT_EQ(messages_in("step:2: '{1}' is {0}; expected text", "ja"),
+              "2 番目のステップ：'{1}' は {0} です。必要なもの：文字列");
+    std::string endless;
+    for (int i = 0; i < 100'000; ++i) endless += "a; expected ";
+    EXPECT_EQ(messages_in(endless, "ja"), endless);
+    EXPECT_EQ(messages_in("no step", "en"), "no step");
+    EXPECT_EQ(messages_in("", "ja"), "");
 }
 
 }  // namespace gw::hiddensurface

@@ -44,3 +44,5 @@ declare module 'gw-scalar' {
 
 /** Of package.json. */
 declare const __GW_VERSION__: string;
+/** hiddensurface/run/messages.LANGUAGE.json, by language. */
+declare const __GW_MESSAGES__: Readonly<Record<string, Readonly<Record<string, string>>>>;

@@ -55,6 +55,18 @@ it('names the step that the machine refuses', async () => {
   expect(await complaint()).toContain("step:1: unknown polygon '99'");
 });
 
+it.each([
+  [
+    'step({ kind: "draw", pieces: ["99"] });',
+    "1 番目のステップ：知らないポリゴン '99' です。必要なもの：シーンのポリゴンかその部分",
+  ],
+  ['while (true) {}', '5 秒たっても終わりません'],
+  ['\nnothing.here();', '行 2: ReferenceError: nothing is not defined'], // the browser's own words
+])('tells in Japanese what is wrong with %s', async (code, expected) => {
+  await open(`${page.replace('lang=en', 'lang=ja')}&code=${packedText(code)}`);
+  expect(await complaint()).toBe(expected);
+});
+
 it('ends a program that loops, and goes on', async () => {
   await begin('while (true) {}\n');
   expect(await complaint()).toContain('no end after 5 s');
