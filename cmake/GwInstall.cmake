@@ -102,7 +102,7 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6, bubblewrap")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "gw (= ${PROJECT_VERSION}), libglm-dev, libfmt-dev, libhwy-dev, libtbb-dev, nlohmann-json3-dev, libpng-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
+    "gw (= ${PROJECT_VERSION}), libglm-dev, libfmt-dev, libtbb-dev, nlohmann-json3-dev, libpng-dev, libgtest-dev, libgmock-dev, libosmesa6-dev")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gw)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
