@@ -209,7 +209,7 @@ describe.skipIf(gw === '')('a report', () => {
       expect(order.slice(order.indexOf('0'), order.indexOf('0') + 3)).toEqual([
         '0',
         'depth',
-        'stack',
+        'pick',
       ]);
       await pages.page.type('#x', '48');
       await pages.page.type('#y', '36');

@@ -56,7 +56,7 @@ it('chooses an algorithm, steps, turns the eye and follows a pixel', async () =>
   await thePage().waitForSelector('.stack');
   await tabTo('.choices select');
   await changes('algorithm', () => keys('ArrowDown'));
-  await tabTo('.stack');
+  await tabTo('.stack button');
   await changes('pixel', () => keys('ArrowRight'));
   await changes('pixel', () => keys('ArrowDown'));
   await thePage().keyboard.down('Alt');
@@ -70,7 +70,7 @@ it('runs a program', async () => {
   await thePage().waitForSelector('.cm-content');
   await tabTo('.cm-content');
   await changes('code', () => keys('Slash', 'Slash'));
-  await tabTo('.stack');
+  await tabTo('.stack button');
   await changes('pixel', () => keys('Enter'));
 });
 
@@ -79,7 +79,7 @@ it('moves a corner and the pixels of both pictures', async () => {
   await thePage().waitForSelector('.any .stack');
   await tabTo('g.corner');
   await changes('corners', () => keys('ArrowRight'));
-  await tabTo('.any .stack');
+  await tabTo('.any .stack button');
   await keys('Enter');
   await thePage().waitForSelector('.history table');
 });
@@ -88,7 +88,7 @@ it('shows a pass, a plane, the history of a pixel, and another cell', async () =
   await open('#lang=en&size=64x48&exhibit=passes&scene=columns.toml&shadow=volume');
   await thePage().waitForSelector('.runs');
   await changes('step', () => keys('ArrowLeft'));
-  await tabTo('.stack');
+  await tabTo('.stack button');
   await keys('ArrowRight');
   await thePage().waitForSelector('.history table');
   await tabTo('.plane-depth');
@@ -104,7 +104,7 @@ it('shows a pass, a plane, the history of a pixel, and another cell', async () =
   await tabTo('.volumes summary');
   await keys('Enter');
   await thePage().waitForSelector('.volumes .stack');
-  await tabTo('.volumes .stack');
+  await tabTo('.volumes .stack button');
   await thePage().keyboard.down('Alt');
   const eye = await part('eye');
   await changes('from', () => keys('ArrowLeft'));
@@ -115,9 +115,9 @@ it('shows a pass, a plane, the history of a pixel, and another cell', async () =
 it('follows rays and turns the second view only', async () => {
   await open('#lang=en&size=64x48&exhibit=rays&scene=rings.toml');
   await thePage().waitForSelector('.path table');
-  await tabTo('.passes .stack');
+  await tabTo('.passes .stack button');
   await changes('pixel', () => keys('ArrowRight'));
-  await tabTo('.outside .stack');
+  await tabTo('.outside .stack button');
   await thePage().keyboard.down('Alt');
   const eye = await part('eye');
   await changes('from', () => keys('ArrowLeft'));
@@ -138,7 +138,7 @@ it('shoots, and turns the lit room', async () => {
   await changes('shots', () => keys('Enter'));
   await keys('Enter');
   await thePage().waitForSelector('.play:focus');
-  await tabTo('.stack');
+  await tabTo('.stack button');
   await thePage().keyboard.down('Alt');
   await changes('eye', () => keys('ArrowLeft'));
   await thePage().keyboard.up('Alt');
