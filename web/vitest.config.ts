@@ -1,3 +1,8 @@
 import { defineConfig } from 'vitest/config';
 
-export default defineConfig({ test: { include: ['tests/*.test.ts'] } });
+export default defineConfig({
+  test: {
+    include: ['tests/*.test.ts'],
+    server: { deps: { inline: ['@gamestdio/scorm'] } }, // it keeps a state, which tests begin anew
+  },
+});

@@ -2,34 +2,21 @@
 // completion and what was answered, so that a later visit goes on. Only pages that scripts/scorm
 // has marked look for a platform; without one they work as alone.
 
-/** The calls of SCORM 1.2; they answer with "true", "false" or a value. */
-export interface Platform {
-  LMSInitialize(nothing: ''): string;
-  LMSFinish(nothing: ''): string;
-  LMSGetValue(element: string): string;
-  LMSSetValue(element: string, value: string): string;
-  LMSCommit(nothing: ''): string;
-}
+import { scorm } from '@gamestdio/scorm';
 
-type Frame = Window & { readonly API?: Platform };
-
-/** The platform is in a window around this one, or around the one that opened it. */
-function platformAround(start: Window): Platform | undefined {
-  let at = start as Frame;
-  for (let levels = 0; levels < 8; ++levels) {
-    if (at.API) return at.API;
-    if (at.parent === at) return undefined;
-    at = at.parent as Frame;
-  }
-  return undefined;
-}
-
-function platformOf(page: Window): Platform | undefined {
+/** The platform is in a window around this one, or around one that opened them. */
+function isConnected(): boolean {
+  // Not by configure(), which takes false for true.
+  Object.assign(scorm, {
+    version: '1.2',
+    isDebugActive: false,
+    handleCompletionStatus: false,
+    handleExitMode: false,
+  });
   try {
-    const opener = page.opener as Window | null;
-    return platformAround(page) ?? (opener ? platformAround(opener) : undefined);
+    return scorm.initialize();
   } catch {
-    return undefined; // a window of another site: no platform
+    return false; // a window of another site: no platform
   }
 }
 
@@ -47,24 +34,20 @@ export class Attempt {
   private complete: boolean;
   private readonly begun = performance.now();
 
-  /** `address`: how the page opens, as scripts/scorm chose it. */
-  constructor(
-    readonly address: URLSearchParams,
-    private readonly platform: Platform,
-  ) {
-    platform.LMSInitialize('');
-    const status = platform.LMSGetValue('cmi.core.lesson_status');
+  /** `address`: how the page opens, as scripts/scorm chose it. The platform is connected. */
+  constructor(readonly address: URLSearchParams) {
+    const status = scorm.get('cmi.core.lesson_status');
     this.complete = ['completed', 'passed', 'failed'].includes(status);
-    if (!this.complete) platform.LMSSetValue('cmi.core.lesson_status', 'incomplete');
-    platform.LMSSetValue('cmi.core.score.min', '0');
-    platform.LMSSetValue('cmi.core.score.max', '100');
-    platform.LMSCommit('');
+    if (!this.complete) scorm.set('cmi.core.lesson_status', 'incomplete');
+    scorm.set('cmi.core.score.min', '0');
+    scorm.set('cmi.core.score.max', '100');
+    scorm.commit();
   }
 
   /** What an earlier visit told; undefined: nothing that can be read. */
   remembered(): unknown {
     try {
-      return JSON.parse(this.platform.LMSGetValue('cmi.suspend_data')) as unknown;
+      return JSON.parse(scorm.get('cmi.suspend_data')) as unknown;
     } catch {
       return undefined;
     }
@@ -72,19 +55,16 @@ export class Attempt {
 
   tell(right: number, all: number, isComplete: boolean, remember: unknown): void {
     this.complete ||= isComplete;
-    const { platform } = this;
-    platform.LMSSetValue('cmi.core.score.raw', String(Math.round((100 * right) / all)));
-    platform.LMSSetValue('cmi.core.lesson_status', this.complete ? 'completed' : 'incomplete');
-    platform.LMSSetValue('cmi.suspend_data', JSON.stringify(remember));
-    platform.LMSCommit('');
+    scorm.set('cmi.core.score.raw', String(Math.round((100 * right) / all)));
+    scorm.set('cmi.core.lesson_status', this.complete ? 'completed' : 'incomplete');
+    scorm.set('cmi.suspend_data', JSON.stringify(remember));
+    scorm.commit();
   }
 
   end(): void {
-    const { platform } = this;
-    platform.LMSSetValue('cmi.core.session_time', timeText(performance.now() - this.begun));
-    platform.LMSSetValue('cmi.core.exit', this.complete ? '' : 'suspend');
-    platform.LMSCommit('');
-    platform.LMSFinish('');
+    scorm.set('cmi.core.session_time', timeText(performance.now() - this.begun));
+    scorm.set('cmi.core.exit', this.complete ? '' : 'suspend');
+    scorm.terminate();
   }
 }
 
@@ -96,9 +76,8 @@ export const packaged: string | undefined =
 function begin(): Attempt | undefined {
   if (packaged === undefined) return undefined;
   if (!location.hash) history.replaceState(null, '', `#${packaged}`);
-  const platform = platformOf(window);
-  if (!platform) return undefined;
-  const attempt = new Attempt(new URLSearchParams(packaged), platform);
+  if (!isConnected()) return undefined;
+  const attempt = new Attempt(new URLSearchParams(packaged));
   addEventListener('pagehide', () => attempt.end(), { once: true });
   return attempt;
 }
