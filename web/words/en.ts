@@ -180,7 +180,7 @@ export const en = {
   lab_run: 'Run',
   lab_running: 'The program runs ...',
   lab_wrong_pixels: 'Wrong pixels',
-  lab_line: 'line',
+  lab_at_line: 'line {0}: {1}',
   lab_program: 'Program',
   lab_pixel: 'One pixel',
   lab_pixel_look:

@@ -22,7 +22,8 @@ export type NameKind =
   | 'title' // of algorithms, by name: "newell | ..."
   | 'scene' // lines and groups of scenes
   | 'code' // lines of algorithms
-  | 'label'; // of the articles' figures
+  | 'label' // of the articles' figures
+  | 'error'; // how messages read, with {0}, {1}, ...: of JavaScript, Python, and files of scenes
 
 /** All that one file says. */
 export interface Translation {

@@ -15,8 +15,11 @@ for (const [language, { names = {} }] of languages)
   for (const [kind, text] of Object.entries(names))
     tables.set(`${language} ${kind}`, readTable(text));
 
+export const tableOf = (kind: NameKind, language: Language): ReadonlyMap<string, string> =>
+  tables.get(`${language} ${kind}`) ?? new Map<string, string>();
+
 export const translated = (kind: NameKind, name: string, language: Language): string | undefined =>
-  tables.get(`${language} ${kind}`)?.get(name);
+  tableOf(kind, language).get(name);
 
 /** A name that the tables lack, such as that of a program's own value, stays as it is. */
 export const nameOf = (kind: NameKind, name: string, language: Language): string =>
@@ -28,7 +31,7 @@ export const valueName = (test: string, name: string, language: Language): strin
 
 /** What the pass does; the name of its lamp, or another part that the scene names, stays. */
 export function passName(name: string, language: Language): string {
-  const begins = [...(tables.get(`${language} pass`) ?? [])];
+  const begins = [...tableOf('pass', language)];
   const known = begins.find(([word]) => name === word || name.startsWith(`${word} `));
   return known ? known[1] + name.slice(known[0].length) : name;
 }

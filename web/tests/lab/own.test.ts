@@ -61,10 +61,19 @@ it.each([
     "1 番目のステップ：知らないポリゴン '99' です。必要なもの：シーンのポリゴンかその部分",
   ],
   ['while (true) {}', '5 秒たっても終わりません'],
-  ['\nnothing.here();', '行 2: ReferenceError: nothing is not defined'], // the browser's own words
+  ['\nnothing.here();', "2 行目：名前の誤りです（ReferenceError）：'nothing' は定義されていません"],
+  ['throw new Error("my own words");', '1 行目：エラーです（Error）：my own words'],
 ])('tells in Japanese what is wrong with %s', async (code, expected) => {
   await open(`${page.replace('lang=en', 'lang=ja')}&code=${packedText(code)}`);
   expect(await complaint()).toBe(expected);
+});
+
+it('tells in Japanese what is wrong with a program in Python', async () => {
+  const code = packedText('\nnothing.here()\n');
+  await open(`${page.replace('lang=en', 'lang=ja')}&language=python&code=${code}`);
+  expect(await complaint()).toBe(
+    "2 行目：名前の誤りです（NameError）：'nothing' は定義されていません",
+  );
 });
 
 it('ends a program that loops, and goes on', async () => {

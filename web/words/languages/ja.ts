@@ -2,6 +2,7 @@
 import type { Translation } from '../language';
 import { articles } from './ja/articles';
 import { code } from './ja/code';
+import { error } from './ja/errors';
 import { label, scene, title } from './ja/figures';
 import { names } from './ja/names';
 import { programs } from './ja/programs';
@@ -15,6 +16,6 @@ export default {
   words: { ...words, ...report, ...programs, ...articles },
   quiz,
   stories,
-  names: { ...names, title, scene, code, label },
+  names: { ...names, title, scene, code, label, error },
   steps: {},
 } satisfies Translation;

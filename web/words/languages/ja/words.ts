@@ -174,7 +174,7 @@ export const words = {
   lab_run: '実行',
   lab_running: 'プログラムを実行しています…',
   lab_wrong_pixels: '誤った画素',
-  lab_line: '行',
+  lab_at_line: '{0} 行目：{1}',
   lab_program: 'プログラム',
   lab_pixel: '1画素',
   lab_pixel_look:
