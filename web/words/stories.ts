@@ -21,7 +21,7 @@ export const stories = {
       'A painter begins with what is far and paints nearer things over it. The algorithm of this name sorts polygons by one distance each. Is one number enough?',
     'distance.sorted':
       'The order is decided, by the farthest corners alone. Nobody asks whether it is right.',
-    end: 'Some pixels are wrong. |The red card below names the steps that spoiled them. Turn the eye: from some places the same order is right.',
+    end: 'Some pixels are wrong. |The red card names the steps that spoiled them. Turn the eye: from some places the same order is right.',
   },
   pinwheel: {
     title: 'A pinwheel, one cut',

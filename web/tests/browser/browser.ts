@@ -60,6 +60,7 @@ export class Pages {
   }
   async openFile(file: string, hash = '', width = 1280, height = 720): Promise<void> {
     await this.page.setViewport({ width, height });
+    await this.page.goto('about:blank'); // another address in the same file would not load it again
     await this.page.goto(`file://${file}${hash}`);
     await this.page.waitForSelector('main, #app:not(:empty)');
   }

@@ -4,7 +4,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { expect, it } from 'vitest';
 import { storyIn } from '../../words/language';
-import { text } from '../samples/log';
+import { blame, text } from '../samples/log';
 import { describePages } from './browser';
 
 const scenes = process.env['GW_SCENES'] ?? '';
@@ -136,8 +136,22 @@ describePages('the player', (pages) => {
       );
   });
 
+  it('shows what is wrong beside views that keep their size', async () => {
+    for (const look of ['', '&projector=1']) {
+      const heights: number[] = [];
+      for (const log of [text(), text(blame)]) {
+        await open([log], `#step=5&lang=en${look}`);
+        await pages.page.setViewport({ width: 1280, height: 720 });
+        await pages.excess(); // once it has been laid out
+        heights.push(await pages.page.$eval('.second', (e) => e.getBoundingClientRect().height));
+      }
+      expect(heights[1], look).toBe(heights[0]);
+      await pages.page.waitForSelector('.side > .blame button');
+    }
+  });
+
   it('shows all of a step without scrolling on a projector of 1280x720', async () => {
-    for (const logs of [[text()], [text(), text()]])
+    for (const logs of [[text()], [text(blame)], [text(), text()]])
       for (const look of ['', '&projector=1'])
         for (const view of ['top', 'side', 'row', 'depth', 'list']) {
           await open(logs, `#step=3&lang=en&view=${view}${look}`);

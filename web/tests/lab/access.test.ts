@@ -1,5 +1,6 @@
 // No exhibit has barriers that axe-core finds, and a step is seen without scrolling.
 import { expect, it } from 'vitest';
+import { stories } from '../../model/steps/stories';
 import { barriersOf } from '../barriers';
 import { inChromium, open, thePage } from './page';
 
@@ -12,8 +13,9 @@ it.each(exhibits)('axe-core finds nothing in %s', async (id) => {
   expect(await barriersOf(thePage())).toEqual([]);
 });
 
-it('shows step, sentence, list and both views on 1280x720, of a story too', async () => {
-  for (const address of ['story=first', 'exhibit=hidden&scene=hidden/cycle.toml'])
+it('shows step, sentence, list and both views on 1280x720, of the ends of stories too', async () => {
+  const ends = stories.map(({ id }) => `story=${id}&step=999999`);
+  for (const address of ['story=first', ...ends, 'exhibit=hidden&scene=hidden/cycle.toml'])
     for (const look of ['lang=en', 'lang=ja', 'lang=en&projector=1', 'lang=ja&projector=1']) {
       await open(`#${address}&${look}`);
       await thePage().waitForSelector('.stack canvas');

@@ -1,4 +1,5 @@
 // A small log made by hand: two squares of 16 x 8 pixels, one behind the other, and a cut.
+import type { Blame } from '../../model/steps/blame';
 import type { Header, Loop, Step } from '../../model/steps/log';
 
 const square = (x0: number, y0: number, x1: number, y1: number, z: number): Loop => [
@@ -122,7 +123,17 @@ export const steps: Step[] = [
 
 export const totals = { keys: 1, extents: 1, pixels: 160 };
 
-export function text(): string {
-  const end = { end: steps.length, counts: totals };
+/** Of a picture with wrong pixels. */
+export const blame: readonly Blame[] = [1, 2, 3, 4, 5, 6].map((pixels) => ({
+  step: pixels % 2 ? 5 : 4,
+  polygon: 2,
+  over: 1,
+  expected: 1,
+  pixels,
+  first: [pixels, 7],
+}));
+
+export function text(blame: readonly Blame[] = []): string {
+  const end = { end: steps.length, counts: totals, blame };
   return `${[header, ...steps, end].map((line) => JSON.stringify(line)).join('\n')}\n`;
 }
