@@ -66,7 +66,7 @@ std::string corners_text(const hs::Question& question, const QuizHtml& words) {
 void add_question(const hs::Question& q, std::size_t number, const std::string& picture,
                   const std::string& scene, QuizLanguage language, Texts& out) {
     const QuizHtml words{language};
-    out.text += fmt::format("{}. ({}) ", number, q.kind);
+    out.text += fmt::format("{}. {}\n   ", number, words.plain(hs::title_of_kind(q.kind)));
     if (language != QuizLanguage::Japanese) out.text += q.text.en + "\n   ";
     if (language != QuizLanguage::English) out.text += q.text.ja + "\n   ";
     out.text += fmt::format("{}: {}; {}: {}\n{}", words.plain({"Picture", "図"}), picture,

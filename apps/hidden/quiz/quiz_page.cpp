@@ -1,5 +1,6 @@
 #include "apps/hidden/quiz/quiz_page.h"
 
+#include "apps/command/page_style.h"
 #include "hiddensurface/quiz/quiz_drawing.h"
 
 #include <fmt/format.h>
@@ -10,28 +11,29 @@ namespace hs = hiddensurface;
 
 namespace {
 
-constexpr const char* style = R"(
+/// What only these pages have: sheets of paper, always light, and drawings beside questions.
+constexpr std::string_view own_style = R"(
 @page { size: A4; margin: 14mm }
-body { font: 11pt/1.45 "DejaVu Sans", "Noto Sans CJK JP", "IPAexGothic", sans-serif;
-       max-width: 182mm; margin: 8mm auto; padding: 0 4mm; color: #111; background: #fff }
-h1 { font-size: 16pt; margin: 0 0 2mm }
-header p { margin: 0 0 5mm }
-article { break-inside: avoid; border-top: 0.3mm solid #999; padding: 4mm 0 }
-h2 { font-size: 12pt; margin: 0 0 2mm }
-p { margin: 0 0 2mm }
-.both { display: grid; grid-template-columns: 100mm 1fr; gap: 4mm }
-svg { width: 100mm; height: auto; overflow: visible; print-color-adjust: exact; -webkit-print-color-adjust: exact }
-table { border-collapse: collapse; font-size: 9pt }
-td, th { border: 0.2mm solid #aaa; padding: 0.3mm 2mm; text-align: right }
-ol { list-style: lower-alpha; margin: 0 0 2mm; padding-left: 6mm }
-.answer { border: 0.3mm solid #333; padding: 1.5mm 3mm; margin-top: 2mm }
+body { max-width: 200mm; background: var(--paper) }
+h1 { margin: 0 0 .2em; font-size: 1.5em }
+header { padding: 1em 0 .6em }
+p, header p { margin: 0 0 .4em }
+article { break-inside: avoid; border-top: 1px solid var(--line); padding: 1em 0 }
+h2 { margin: 0 0 .4em }
+.both { display: grid; grid-template-columns: 100mm 1fr; gap: var(--gap) }
+svg { width: 100mm; height: auto; overflow: visible }
+table { font-size: var(--small); margin-bottom: .4em }
+td, th { border: 1px solid var(--line); padding: .05em .5em; text-align: right }
+ol { list-style: lower-alpha; margin: 0 0 .4em; padding-left: 1.6em }
+.answer p:last-child { margin: 0 }
 .given { font-weight: bold }
 @media print {
-  body { font-size: 10pt; max-width: none; margin: 0; padding: 0 }
+  :root { font-size: 10pt; background: none }
+  body { max-width: none; padding: 0 }
   article { padding: 2.5mm 0 }
   .both { grid-template-columns: 76mm 1fr }
   svg { width: 76mm }
-  table { font-size: 8pt }
+  .card { border-color: var(--ink) }
 }
 @media (max-width: 640px) { .both { grid-template-columns: 1fr } svg { width: 100% } }
 )";
@@ -63,10 +65,10 @@ std::string page_of(const QuizSheet& sheet, const hs::Bilingual& title, const st
     return fmt::format(
         "<!doctype html>\n<html lang=\"{5}\">\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{0}</title>\n"
-        "<style>{1}</style>\n<header>\n<h1>{0}</h1>\n<p>{2} &nbsp; "
+        "<style>\n{1}{6}</style>\n<header>\n<h1>{0}</h1>\n<p>{2} &nbsp; "
         "<small>{3}</small></p>\n</header>\n<main>\n{4}</main>\n</html>\n",
-        html.plain(title), style, name, html.spans(seed), body,
-        sheet.language == QuizLanguage::Japanese ? "ja" : "en");
+        html.plain(title), embedded_style("page.css"), name, html.spans(seed), body,
+        sheet.language == QuizLanguage::Japanese ? "ja" : "en", own_style);
 }
 
 }  // namespace
@@ -76,7 +78,7 @@ std::string handout_page(const QuizSheet& sheet) {
     std::string body;
     for (std::size_t i = 0; i < sheet.questions.size(); ++i)
         body += article_of(sheet.questions[i], i + 1, html,
-                           "<p class=\"answer\">" + html.spans({"Answer", "解答"}) + ":</p>");
+                           "<p class=\"answer card\">" + html.spans({"Answer", "解答"}) + ":</p>");
     const std::string name =
         html.plain({"Name", "氏名"}) + ": " +
         (sheet.student.empty() ? "____________________" : escaped_xml(sheet.student));
@@ -88,7 +90,7 @@ std::string answers_page(const QuizSheet& sheet, const std::vector<std::string>&
     std::string body;
     for (std::size_t i = 0; i < sheet.questions.size(); ++i) {
         const hs::Question& question = sheet.questions[i];
-        std::string end = fmt::format("<div class=\"answer\"><p class=\"given\">{}</p>\n{}",
+        std::string end = fmt::format("<div class=\"answer card\"><p class=\"given\">{}</p>\n{}",
                                       escaped_xml(question.answer), html.paragraphs(question.why));
         if (!players[i].empty())
             end += fmt::format("<p><a href=\"{}\">{}</a>: {}, {}</p>", escaped_xml(players[i]),

@@ -1,6 +1,8 @@
 // Claims: a quiz's handout tells no answer and its key grades itself; the page to print has every
 // question in both languages; each student of a class has a quiz, and the class a report.
+#include "apps/command/page_style.h"
 #include "apps/hidden/page.h"
+#include "hiddensurface/quiz/quiz.h"
 #include "tests/apps/support/command_test.h"
 
 #include <nlohmann/json.hpp>
@@ -73,6 +75,9 @@ TEST_F(QuizFiles, QuizIsAPageToPrint) {
     EXPECT_EQ(count(handout, "class=\"given\""), 0);
     EXPECT_EQ(handout.find("#step="), handout.npos);
     EXPECT_EQ(handout.find("<script"), handout.npos);
+    // It looks as all pages do.
+    for (const std::string& page : {handout, answers})
+        EXPECT_NE(page.find(embedded_style("page.css")), page.npos);
     EXPECT_EQ(count(answers, "class=\"given\""), 14);
     if (!embedded_page("player.html").empty()) {
         EXPECT_EQ(count(answers, "#step="), 14);
@@ -90,6 +95,13 @@ TEST_F(QuizFiles, QuizIsAPageToPrint) {
         for (const char* word : {"Answer with", "seed ", "Picture", "scene:", "Corners"})
             EXPECT_EQ(japanese.find(word), japanese.npos) << word << " in " << page;
         EXPECT_EQ(english.find("\xE3\x80\x82"), english.npos) << page;  // the Japanese full stop
+        // A question's kind is called by its title.
+        for (const std::string& kind : hiddensurface::quiz_kinds()) {
+            const auto& title = hiddensurface::title_of_kind(kind);
+            EXPECT_NE(japanese.find(title.ja), japanese.npos) << kind << " in " << page;
+            EXPECT_NE(english.find(title.en), english.npos) << kind << " in " << page;
+            EXPECT_EQ(japanese.find("(" + kind + ")"), japanese.npos) << kind << " in " << page;
+        }
     }
     expect_refused(2, {"quiz", "p", "--language", "de"}, {"--language 'de'", "en, ja"});
     expect_refused(2, {"quiz", "p", "--export", "qtx"}, {"--export 'qtx'", "moodle"});
