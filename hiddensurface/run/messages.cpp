@@ -45,7 +45,11 @@ std::string said(const std::string& text, const Json& patterns) {
         for (std::size_t at = 0; at < line.size();) {
             const std::size_t open = std::min(line.find('{', at), line.size());
             filled += line.substr(at, open - at);
-            if (open < line.size()) filled += said(values->at(line[open + 1] - '0'), patterns);
+            if (open < line.size()) {
+                const std::string& value = values->at(line[open + 1] - '0');
+                const bool is_quoted = open > 0 && line[open - 1] == '\'';
+                filled += is_quoted ? value : said(value, patterns);
+            }
             at = open + 3;
         }
         return filled;

@@ -6,7 +6,8 @@
 
 namespace gw::hiddensurface {
 
-/// Line by line in "en" or "ja". A line that fits no pattern, such as a program's own, stays.
+/// Line by line in "en" or "ja". A line that fits no pattern, such as a program's own, stays; so
+/// does what stands between quotation marks.
 std::string messages_in(const std::string& text, const std::string& language);
 
 }  // namespace gw::hiddensurface

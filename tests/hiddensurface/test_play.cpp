@@ -302,6 +302,8 @@ TEST(Play, TellsAGradeInJapaneseAndKeepsWhatAProgramPrinted) {
               "2 番目のステップ：'z' は リスト です。必要なもの：文字列");
     EXPECT_EQ(messages_in("step:2: '{1}' is {0}; expected text", "ja"),
               "2 番目のステップ：'{1}' は {0} です。必要なもの：文字列");
+    EXPECT_EQ(messages_in("step:2: unknown polygon 'none'; expected one of the scene", "ja"),
+              "2 番目のステップ：知らないポリゴン 'none' です。必要なもの：シーンのポリゴン");
     std::string endless;
     for (int i = 0; i < 100'000; ++i) endless += "a; expected ";
     EXPECT_EQ(messages_in(endless, "ja"), endless);
