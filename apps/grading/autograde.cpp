@@ -106,7 +106,7 @@ void add_options(CLI::App& command, AutogradeOptions& options) {
             [&](const std::string& word) {
                 options.language = one_of("--language", word, {"en", "ja"});
             },
-            "Of the feedback, en or ja (default en)")
+            "Of the feedback and of the class's page, en or ja (default en)")
         ->type_name("NAME");
     command.add_flag("--single", options.single,
                      "SUBMISSIONS is one submission, and its results.json is in DIR");
@@ -239,7 +239,8 @@ private:
         image::OutputSet output;
         output.add(options_.output / "grades.csv").write_text(grades_csv(rows()));
         output.add(options_.output / "junit.xml").write_text(junit_xml(all_));
-        output.add(options_.output / "index.html").write_text(class_page(all_, scenes_));
+        output.add(options_.output / "index.html")
+            .write_text(class_page(all_, scenes_, options_.language));
         output.commit();
     }
 

@@ -74,12 +74,13 @@ std::string link_to(const std::string& path) {
     return text;
 }
 
-/// The page speaks English and Japanese; feedback is in the language that was asked for.
-std::string said(const char* en, const char* ja) {
-    return fmt::format("{} <span lang=\"ja\">{}</span>", en, ja);
-}
+/// The page's own words, in the language of the feedback.
+struct GradeWords {
+    bool japanese = false;
+    std::string operator()(const char* en, const char* ja) const { return japanese ? ja : en; }
+};
 
-std::string outcome_said(const std::string& outcome) {
+std::string outcome_said(const std::string& outcome, GradeWords say) {
     static const std::map<std::string, const char*> japanese{
         {"right", "正解"},          {"wrong", "不正解"},
         {"endless", "終わらない"},  {"crashed", "異常終了"},
@@ -87,35 +88,36 @@ std::string outcome_said(const std::string& outcome) {
         {"memory", "メモリ不足"},   {"no program", "プログラムなし"},
     };
     const auto found = japanese.find(outcome);
-    return found == japanese.end() ? escaped(outcome) : said(found->first.c_str(), found->second);
+    return found == japanese.end() ? escaped(outcome) : say(outcome.c_str(), found->second);
 }
 
-std::string section_of(const GradedSubmission& graded, std::size_t number) {
+std::string section_of(const GradedSubmission& graded, std::size_t number, GradeWords say) {
     std::string text =
         fmt::format("<section id=\"s{}\">\n<h2>{}</h2>\n", number, marked_up(graded.name));
     for (const GradedScene& scene : graded.scenes) {
         text += fmt::format("<h3>{}: {}, {} / {}</h3>\n<pre>{}</pre>\n", marked_up(scene.scene),
-                            outcome_said(scene.outcome), scene.points, scene.of,
+                            outcome_said(scene.outcome, say), scene.points, scene.of,
                             marked_up(scene.feedback));
         if (!scene.player.empty())
             text += fmt::format(
                 "<p><a href=\"{}\">{}</a></p>\n",
                 link_to((folder_of_student(graded.name) / scene.player).generic_string()),
-                said("Play its steps", "ステップを再生"));
+                say("Play its steps", "ステップを再生"));
     }
     return text + "</section>\n";
 }
 
-std::string table_row(const GradedSubmission& graded, std::size_t number, std::size_t scenes) {
+std::string table_row(const GradedSubmission& graded, std::size_t number, std::size_t scenes,
+                      GradeWords say) {
     std::string text = fmt::format("<tr><th scope=\"row\"><a href=\"#s{}\">{}</a></th>", number,
                                    marked_up(graded.name));
     if (graded.scenes.empty())
         return text + fmt::format("<td colspan=\"{}\">{}</td></tr>\n", scenes + 1,
-                                  said("not graded yet", "未採点"));
+                                  say("not graded yet", "未採点"));
     text += fmt::format("<td class=\"n\">{} / {}</td>", graded.points(), graded.of());
     for (const GradedScene& scene : graded.scenes)
         text += fmt::format("<td class=\"{}\">{}</td>", is_right(scene) ? "right" : "not",
-                            outcome_said(scene.outcome));
+                            outcome_said(scene.outcome, say));
     return text + "</tr>\n";
 }
 
@@ -219,21 +221,22 @@ std::string grades_csv(const std::vector<std::vector<std::string>>& rows) {
 }
 
 std::string class_page(const std::vector<GradedSubmission>& all,
-                       const std::vector<std::string>& scenes) {
+                       const std::vector<std::string>& scenes, const std::string& language) {
+    const GradeWords say{language == "ja"};
     std::string head, rows, sections;
     for (const std::string& scene : scenes)
         head += "<th scope=\"col\">" + marked_up(scene) + "</th>";
     for (std::size_t i = 0; i < all.size(); ++i) {
-        rows += table_row(all[i], i + 1, scenes.size());
-        sections += section_of(all[i], i + 1);
+        rows += table_row(all[i], i + 1, scenes.size(), say);
+        sections += section_of(all[i], i + 1, say);
     }
-    return page_begin("Grades / 成績") + class_style +
+    return page_begin(say("Grades", "成績"), {}, language) + class_style +
            fmt::format(
                "<p>{}: <a href=\"grades.csv\">grades.csv</a>, <a href=\"junit.xml\">junit.xml</a>; "
                "Gradescope: students/NAME/results.json</p>\n<table>\n<thead><tr><th "
                "scope=\"col\">{}</th><th scope=\"col\">{}</th>{}</tr></thead>\n"
                "<tbody>\n{}</tbody>\n</table>\n{}",
-               said("Also as", "ほかの形"), said("student", "学生"), said("points", "得点"), head,
+               say("Also as", "ほかの形"), say("student", "学生"), say("points", "得点"), head,
                rows, sections) +
            std::string(page_end);
 }

@@ -43,7 +43,8 @@ std::string junit_xml(const std::vector<GradedSubmission>& all);
 std::vector<std::vector<std::string>> grade_rows(const std::vector<GradedSubmission>& all,
                                                  const std::vector<std::string>& scenes);
 std::string grades_csv(const std::vector<std::vector<std::string>>& rows);
+/// In "en" or "ja".
 std::string class_page(const std::vector<GradedSubmission>& all,
-                       const std::vector<std::string>& scenes);
+                       const std::vector<std::string>& scenes, const std::string& language);
 
 }  // namespace gw::apps
