@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -31,8 +32,16 @@ Json read_json(const std::filesystem::path& file) {
     const std::string text = scene::read_text(file);
     try {
         return Json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        fail(file, scene::printable(error.what(), 200) + "; expected JSON that gw quiz wrote");
+    } catch (const nlohmann::json::parse_error& error) {
+        const std::size_t at =
+            std::clamp<std::size_t>(error.byte, 1, text.size() + 1) - 1;  // of the first wrong byte
+        const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
+        const std::string rest = scene::printable(text.substr(at, text.find('\n', at) - at), 20);
+        throw Error(file.string(), int(line),
+                    (rest.empty() ? "ends too early" : "is not JSON at '" + rest + "'") +
+                        "; expected JSON that gw quiz wrote");
+    } catch (const nlohmann::json::exception&) {
+        fail(file, "has a number that is too large; expected JSON that gw quiz wrote");
     }
 }
 
@@ -72,8 +81,8 @@ std::vector<Key> read_key(const std::filesystem::path& file, Json& seed) {
                            hs::canonical_answer(a.at("answer")), a.at("why")});
         if (key.empty()) fail(file, "no answers; expected a key that gw quiz wrote");
         return key;
-    } catch (const nlohmann::json::exception& error) {
-        fail(file, scene::printable(error.what(), 200) + "; expected a key that gw quiz wrote");
+    } catch (const nlohmann::json::exception&) {
+        fail(file, "is no key; expected a key that gw quiz wrote");
     }
 }
 

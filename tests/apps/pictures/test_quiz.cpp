@@ -186,7 +186,17 @@ TEST_F(QuizFiles, GradesAClassWithAnUnreadableFile) {
     EXPECT_NE(report.out.find("\"02\",\"2\",\"0\",\"2\","), report.out.npos) << report.out;
     EXPECT_NE(report.out.find("(not readable)"), report.out.npos) << report.out;
     EXPECT_NE(report.out.find("\"03\",\"3\",\"2\",\"2\","), report.out.npos) << report.out;
-    EXPECT_NE(report.err.find("02.json"), report.err.npos) << report.err;
+    const std::string why = "02.json:1: is not JSON at ','; expected JSON that gw quiz wrote\n";
+    EXPECT_TRUE(report.err.ends_with(why)) << report.err;
+    for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+             {"{\n\"seed\": 2,\n\"answers\": {,}}", "02.json:3: is not JSON at ',}}'; "},
+             {"{\n\"seed\": 2", "02.json:2: ends too early; "},
+             {"", "02.json:1: ends too early; "},
+             {"{\"seed\": 1e999}", "02.json: has a number that is too large; "}}) {
+        write("given/02.json", text);
+        const std::string err = gw({"grade", "q/answers", "given", "--csv"}).err;
+        EXPECT_NE(err.find(said), err.npos) << err;
+    }
     const Outcome json = gw({"grade", "q/answers", "given", "--json"});
     const auto all = nlohmann::json::parse(json.out);
     EXPECT_NE(all["02"]["error"].get<std::string>().find("expected JSON"), std::string::npos);
