@@ -1,6 +1,6 @@
 #include "apps/grading/grade_submission.h"
 
-#include "apps/grading/limited_run.h"
+#include "apps/command/limited_run.h"
 #include "gw/error.h"
 #include "gw/escape_controls.h"
 #include "hiddensurface/run/messages.h"

@@ -1,6 +1,6 @@
 #include "apps/grading/isolation.h"
 
-#include "apps/grading/limited_run.h"
+#include "apps/command/limited_run.h"
 #include "gw/error.h"
 #include "scene/text/suggest.h"
 

@@ -1,4 +1,4 @@
-#include "apps/grading/limited_run.h"
+#include "apps/command/limited_run.h"
 
 #include "gw/error.h"
 
