@@ -173,10 +173,8 @@ FolderIndex read_index(const fs::path& folder) {
             throw Error(file.string(), 0,
                         "has another format; expected the index of a folder that gw wrote");
         for (const Json& entry : json.at("entries")) index.push_back(entry_from(entry));
-    } catch (const Json::exception& error) {
-        throw Error(file.string(), 0,
-                    std::string("is not an index that gw wrote (") + error.what() +
-                        "); expected none or one");
+    } catch (const Json::exception&) {
+        throw Error(file.string(), 0, "is not an index that gw wrote; expected none or one");
     }
     return index;
 }

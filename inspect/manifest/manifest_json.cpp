@@ -229,8 +229,11 @@ ManifestPass pass_from(const Json& json, PlaneMask planes, const std::string& wh
 Json parsed(std::string_view text) {
     try {
         return Json::parse(text);
-    } catch (const nlohmann::json::exception& error) {
-        throw Error(std::string("is not JSON: ") + error.what());
+    } catch (const Json::parse_error& error) {
+        throw Error(
+            fmt::format("is not JSON at byte {}; expected a manifest that gw wrote", error.byte));
+    } catch (const Json::exception&) {
+        throw Error("has a number beyond 1e308; expected a manifest that gw wrote");
     }
 }
 

@@ -39,8 +39,8 @@ JsonValue JsonValue::read(const std::string& file, std::string_view text) {
         const std::size_t end = std::min(error.byte, text.size());
         const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(end), '\n');
         throw Error(file, int(line), "is no JSON: " + reason(error.what()) + "; expected glTF 2.0");
-    } catch (const Json::exception& error) {  // a number beyond doubles
-        throw Error(file, 0, "is no JSON: " + reason(error.what()) + "; expected glTF 2.0");
+    } catch (const Json::exception&) {
+        throw Error(file, 0, "is no JSON: a number is beyond 1e308; expected glTF 2.0");
     }
 }
 

@@ -121,8 +121,8 @@ TEST_F(GltfError, NumbersThatAreWrong) {
     EXPECT_EQ(
         with_bytes(triangle_bytes().substr(0, 36) + bytes_of<std::uint16_t>({0, 1, 3})),
         "m.gltf: meshes[0].primitives[0].indices has index 3 at 2; expected less than 3, the number of vertices");
-    EXPECT_EQ(with("\"mesh\": 0", "\"mesh\": 0, \"translation\": [0, 1e400, 0]").substr(0, 19),
-              "m.gltf: is no JSON:");
+    EXPECT_EQ(with("\"mesh\": 0", "\"mesh\": 0, \"translation\": [0, 1e400, 0]"),
+              "m.gltf: is no JSON: a number is beyond 1e308; expected glTF 2.0");
     EXPECT_EQ(with("\"mesh\": 0", "\"mesh\": 0, \"translation\": [0, 1e30, 0]"),
               "m.gltf: nodes[0].translation[1] is 1e+30; expected a number from -1e+18 to 1e+18");
     EXPECT_EQ(with("\"mesh\": 0", "\"mesh\": 0, \"rotation\": [0, 0, 0, 0]"),
