@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <tuple>
 #include <type_traits>
 
 namespace gw::scene {
@@ -19,6 +20,7 @@ struct Field {
     std::size_t width = 1;
     Range range;
     std::function<void(const double*)> set;
+    bool one_for_all = false;  ///< one number may stand for all: a grey
 };
 
 /// Appends a field for each value that a function of limits.h visits.
@@ -38,7 +40,7 @@ struct FieldList {
     }
     void color(FieldName name, vec3& field) const {
         fields.push_back({name.file, 3, not_negative,
-                          [&field](const double* v) { field = vec3(v[0], v[1], v[2]); }});
+                          [&field](const double* v) { field = vec3(v[0], v[1], v[2]); }, true});
     }
 };
 
@@ -70,6 +72,7 @@ std::vector<Field> fields_of(Motion& motion) {
         list.place("scale", motion.scale);
     });
     fields[1].range = {-36000, 36000};
+    fields[2].one_for_all = true;
     return fields;
 }
 
@@ -79,6 +82,7 @@ const Field* field_named(const std::vector<Field>& fields, const std::string& na
 }
 
 struct Track {
+    int line = 0;
     std::string object, light, material, key;  ///< no name: of the camera
     Keys keys;
 };
@@ -193,8 +197,8 @@ void read_values(const TomlValue& value, const Field& field, Keys& keys) {
     if (value.kind != TomlKind::Array || value.elements.size() != n)
         value.fail_expected("an array of " + std::to_string(n) + " values, one for each time");
     for (const TomlValue& element : value.elements) {
-        if (field.width == 1) {
-            keys.values.push_back(to_double(element, field.range));
+        if (field.width == 1 || (field.one_for_all && element.is_number())) {
+            keys.values.insert(keys.values.end(), field.width, to_double(element, field.range));
             continue;
         }
         expect_numbers(element, field.width);
@@ -211,8 +215,16 @@ std::vector<Field> fields_of(const Track& track, Camera& camera, Light& light, M
                                      : fields_of(camera);
 }
 
+void check_is_only(const TomlValue& table, const Track& track, const std::vector<Track>& before) {
+    const auto what = [](const Track& t) { return std::tie(t.object, t.light, t.material, t.key); };
+    for (const Track& other : before)
+        if (what(other) == what(track))
+            table.fail("track sets the same '" + printable(track.key) + "' as that of line " +
+                       std::to_string(other.line) + "; expected one track for it");
+}
+
 Track read_track(const TomlValue& table, const Scene& scene) {
-    Track track;
+    Track track{.line = table.line};
     const TomlValue* values = nullptr;
     read_table(table, {
                           key("object", track.object),
@@ -266,7 +278,9 @@ std::optional<Film> read_film(const TomlValue* film, const std::vector<const Tom
     if (tables.empty()) return std::nullopt;
     std::vector<Track> tracks;
     for (const TomlValue* table : tables) {
-        tracks.push_back(read_track(*table, scene));
+        Track track = read_track(*table, scene);
+        check_is_only(*table, track, tracks);
+        tracks.push_back(std::move(track));
         out.seconds = std::max(out.seconds, tracks.back().keys.times.back());
     }
     out.pose = Posing(std::move(tracks), scene, origin);

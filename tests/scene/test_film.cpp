@@ -96,6 +96,23 @@ TEST_F(FilmOf, TracksSetCameraLightMaterialAndObject) {
     EXPECT_EQ(s.objects.at(0).world_from_object[3], dvec4(1, 3, 0, 1));
 }
 
+TEST_F(FilmOf, OneNumberIsAGreyOrAnEvenScale) {
+    const Scene s = at(track("material = 'red'\nkey = 'Kd'", "[0, 1]", "[0.5, [1, 0, 0]]") +
+                           track("object = 'ball'\nkey = 'scale'", "[0]", "[3]"),
+                       0);
+    EXPECT_EQ(s.materials.at(s.objects.at(0).material).Kd, vec3(0.5f));
+    EXPECT_EQ(s.objects.at(0).world_from_object, translation({1, 0, 0}) * scaling(dvec3(3)));
+    EXPECT_EQ(error(track("key = 'eye'", "[0]", "[5]")),
+              "s.toml:17: track.values is 5; expected an array of 3 numbers");
+}
+
+TEST_F(FilmOf, TwoTracksOfOneThingAreAnError) {
+    const std::string fov = track("key = 'fov'", "[0]", "[20]");
+    EXPECT_EQ(error(fov + fov),
+              "s.toml:18: track sets the same 'fov' as that of line 14; expected one track for it");
+    EXPECT_EQ(error(fov + track("object = 'ball'\nkey = 'scale'", "[0]", "[1]")), "no error");
+}
+
 TEST_F(FilmOf, AnObjectTurnsAboutItsOwnOrigin) {
     const Scene s =
         at(track("object = 'ball'\nkey = 'rotate'", "[0, 1]", "[[0, 0, 0], [0, 0, 90]]") +
