@@ -124,14 +124,6 @@ void set(GltfPlace& place, const Channel& channel, double time) {
     (channel.path == Channel::Scale ? place.scale : place.translation) = {v[0], v[1], v[2]};
 }
 
-/// A scale of 0 hides a node; no matrix may be singular, so it is almost 0.
-dmat4 visible(dmat4 m) {
-    const dvec3 x(m[0]), y(m[1]), z(m[2]);
-    if (dot3(x, cross3(y, z)) == 0)
-        m = dmat4(1e-9, 0, 0, 0, 0, 1e-9, 0, 0, 0, 0, 1e-9, 0, m[3].x, m[3].y, m[3].z, 1);
-    return m;
-}
-
 /// The scene at rest, which all films of a file share.
 struct Rest {
     std::vector<GltfNode> nodes;
@@ -153,7 +145,7 @@ public:
         for (GltfNode& node : nodes) node.world_from_node[3] -= dvec4(rest_->origin, 0);
         for (std::size_t i = 0; i < holders.objects.size() && i < scene.objects.size(); ++i)
             scene.objects[i].world_from_object =
-                visible(nodes[holders.objects[i]].world_from_node * holders.node_from_object[i]);
+                drawable(nodes[holders.objects[i]].world_from_node * holders.node_from_object[i]);
         for (const GltfShaped& shaped : holders.shaped)
             if (shaped.object < scene.objects.size())
                 reshape(scene.objects[shaped.object], shaped, nodes, time);

@@ -2,6 +2,7 @@
 
 #include "scene/geometry/transform.h"
 #include "scene/gltf/accessors.h"
+#include "scene/validate/rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,11 @@ GltfPlace place_of(const JsonValue& node) {
 
 dmat4 GltfPlace::parent_from_node() const {
     return matrix * (gw::scene::translation(translation) * (turned(rotation) * scaling(scale)));
+}
+
+dmat4 drawable(const dmat4& m) {
+    const dmat4 thick = thickened(m);
+    return fault_of(thick) ? translation(dvec3(m[3])) * scaling(dvec3(1e-9)) : thick;
 }
 
 void place_in_world(std::vector<GltfNode>& nodes) {

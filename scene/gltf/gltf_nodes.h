@@ -51,6 +51,10 @@ struct GltfSkin {
 GltfSkin read_gltf_skin(const GltfDocument& document, const JsonValue& index,
                         const std::vector<std::size_t>& places);
 
+/// The matrix of an object at such a place, which may not be singular. Flat objects keep a millionth of
+/// their size across (geometry/transform.h); those scaled to a line or a point keep 1e-9 of all.
+dmat4 drawable(const dmat4& world_from_object);
+
 /// Gives all nodes their places in the world by their places in their parents.
 void place_in_world(std::vector<GltfNode>& nodes);
 

@@ -149,9 +149,11 @@ private:
             }
             object.mesh = shaped_mesh(json, shaped, part);
         }
-        if (const auto fault = fault_of(object.world_from_object))
+        // What an animation scales from 0 is there at all times.
+        if (fault_of(thickened(object.world_from_object)) && document_.count("animations") == 0)
             return document_.warn("singular", "object '" + printable(name) +
-                                                  "' is left out: its matrix is " + fault->is);
+                                                  "' is left out: its scale leaves no area");
+        object.world_from_object = drawable(object.world_from_object);
         if (scene.objects.size() == most_gltf_objects)
             json.fail("is one more than " + std::to_string(most_gltf_objects) +
                       " objects; expected fewer");

@@ -180,6 +180,22 @@ TEST_F(FilmOf, EachGltfAnimationIsAFilm) {
     EXPECT_EQ(file.scene.objects.at(0).world_from_object, scaling({4, 8, 2}));
 }
 
+/// Scaled from nothing to a flat shape: no matrix is singular, and the flat one keeps its normals.
+TEST_F(FilmOf, GltfScalesOf0HideOrFlatten) {
+    const std::string text = animated("scale", {0, 0, 0, 2, 2, 0}, "VEC3", "STEP");
+    SceneFile file = read_scene(folder.write(
+        "m.gltf", replaced(text, R"("mesh": 0})", R"("mesh": 0, "scale": [0, 0, 0]})")));
+    EXPECT_EQ(file.warnings, Strings{});
+    ASSERT_EQ(file.scene.objects.size(), 1u);
+    file.films.at(0).pose(file.scene, 0);
+    EXPECT_EQ(file.scene.objects[0].world_from_object, scaling(dvec3(1e-9)));
+    file.films.at(0).pose(file.scene, 2);
+    const dmat4 flat = file.scene.objects[0].world_from_object;
+    EXPECT_EQ(flat[0], dvec4(2, 0, 0, 0));
+    EXPECT_EQ(flat[1], dvec4(0, 2, 0, 0));
+    EXPECT_NEAR(flat[2].z, std::sqrt(8) * 1e-6, 1e-18);
+}
+
 TEST_F(FilmOf, AViewKeepsItsCameraAndItsLights) {
     folder.write("s.toml",
                  still + "[[light]]\nname = 'moon'\ndirection = [0, 0, -1]\n" +
