@@ -47,7 +47,10 @@ void check_extensions(const GltfDocument& document) {
     const auto used = document.root().find("extensionsUsed");
     for (std::size_t i = 0; used && i < used->size(); ++i)
         if (const std::string& name = (*used)[i].text(); !is_known(name))
-            document.warn("extension " + name, "extension " + printable(name) + " is left out");
+            document.warn(
+                "extension " + name,
+                "extension " + printable(name) + " is left out" +
+                    (name == "KHR_materials_transmission" ? "; its surfaces are opaque" : ""));
 }
 
 std::string name_of(const JsonValue& value) {
