@@ -1,6 +1,7 @@
 #include "apps/render/film.h"
 
 #include "apps/command/terminal.h"
+#include "apps/render/film_record.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -72,11 +73,23 @@ void fit_to_film(Drawing& drawing, const scene::Film& film) {
                                                   drawing.request.camera);
 }
 
-int first_missing(const FrameFiles& files, std::pair<int, int> first_last) {
+int first_missing(const FilmRecord& record, const FrameFiles& files,
+                  std::pair<int, int> first_last) {
     int number = first_last.first;
-    while (number <= first_last.second && std::filesystem::exists(numbered(files.picture, number)))
-        ++number;
+    while (number <= first_last.second && record.has(numbered(files.picture, number))) ++number;
     return number;
+}
+
+/// The first picture to draw. From then on the record is of this film.
+int begin_film(const FilmRecord& record, const FrameFiles& files, const FilmOptions& options) {
+    int first = options.first_last.first;
+    if (options.go_on &&
+        (record.is_there() || std::filesystem::exists(numbered(files.picture, first)))) {
+        record.check_same();
+        first = first_missing(record, files, options.first_last);
+    }
+    record.write();
+    return first;
 }
 
 /// "0 'walk', 1 'run' or 2"
@@ -97,8 +110,9 @@ const scene::Film& chosen(const Drawing& drawing, const FilmOptions& options) {
     const std::string file = drawing.request.scene.string();
     if (animation.empty()) {
         if (films.size() > 1 && !options.quiet)
-            print_warning(fmt::format("{}: has {} animations; 0 is drawn; --animation takes {}",
-                                      file, films.size(), names_of(films)));
+            print_warning(
+                fmt::format("{}: has {} animations; the first is drawn; --animation takes {}", file,
+                            films.size(), names_of(films)));
         return films.front();
     }
     const auto named = std::ranges::find(films, animation, &scene::Film::name);
@@ -126,8 +140,8 @@ void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& opt
     const int last = options.first_last.second;
     for (int number = options.first_last.first; number <= last; ++number)
         session.inputs.check(numbered(files.picture, number));
-    const int first =
-        options.go_on ? first_missing(files, options.first_last) : options.first_last.first;
+    const FilmRecord record(files.picture, words_of_film(drawing, film, files.tone, session));
+    const int first = begin_film(record, files, options);
     const auto machine = make_machine(drawing.request, drawing.profile, session);
     const auto begin = std::chrono::steady_clock::now();
     for (int number = first; number <= last; ++number) {

@@ -1,9 +1,10 @@
 // Claims of gw render --film: numbered pictures, motion blur as the mean of instants, the same files
-// from several processes, and a film that goes on where it was cut off.
+// from several processes, a film that goes on where it was cut off and only with itself.
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 #include "tests/scene/gltf/gltf_text.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -59,8 +60,8 @@ TEST_F(FilmCommand, FitsItsCameraToTheFilm) {
 
 TEST_F(FilmCommand, NumbersItsPictures) {
     EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "2-3"}).code, 0);
-    EXPECT_EQ(names(), (std::vector<std::string>{"a_002.png", "a_003.png", "film.toml",
-                                                 "lamps.toml", "quad.obj"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"a.png.film", "a_002.png", "a_003.png",
+                                                 "film.toml", "lamps.toml", "quad.obj"}));
     EXPECT_EQ(row_of("a_002.png"),
               (std::vector<int>{0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255, 0, 0, 0, 0}));
     EXPECT_EQ(row_of("a_003.png"),
@@ -88,6 +89,40 @@ TEST_F(FilmCommand, GoesOnAtItsFirstMissingPicture) {
     EXPECT_TRUE(bytes_of(in("a_003.png")) == third);
 }
 
+/// Pictures of two films in one series would be one film to every program.
+TEST_F(FilmCommand, GoesOnOnlyWithTheSameFilm) {
+    const std::vector<std::string> film{"film.toml", "-o", "a.png", "--film", "1-3"};
+    const auto continued = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = film;
+        all.push_back("--continue");
+        all.insert(all.end(), more.begin(), more.end());
+        return render(all);
+    };
+    EXPECT_EQ(continued({}).code, 0);  // nothing is there yet
+    const std::string second = bytes_of(in("a_002.png"));
+    std::filesystem::remove(in("a_003.png"));
+    const Outcome other = continued({"--samples", "2"});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_EQ(other.err,
+              "gw: a.png.film: the film was drawn with 'samples 1', not with 'samples 2'; expected "
+              "the same, or no --continue\n");
+    EXPECT_FALSE(std::filesystem::exists(in("a_003.png")));
+    EXPECT_EQ(continued({"--threads", "2"}).code, 0);  // the same bits
+    write("film.toml", bytes_of(in("film.toml")) + "\n");
+    EXPECT_NE(continued({}).err.find("'scene "), std::string::npos);
+    // Drawn anew with other options, what is left of the old film is not continued.
+    EXPECT_EQ(render({"film.toml", "-o", "a.png", "--film", "1", "--gamma", "2"}).code, 0);
+    write("a_002.png", "old");
+    const auto record = std::filesystem::last_write_time(in("a.png.film"));
+    std::filesystem::last_write_time(in("a_002.png"), record - std::chrono::seconds(1));
+    EXPECT_EQ(continued({"--gamma", "2"}).code, 0);
+    EXPECT_TRUE(bytes_of(in("a_002.png")) == second);  // black and white
+    std::filesystem::remove(in("a.png.film"));
+    EXPECT_NE(continued({}).err.find("a.png.film: does not exist; expected"), std::string::npos);
+    write("a.png.film", "mine");
+    EXPECT_NE(continued({}).err.find("a.png.film: is no record of a film"), std::string::npos);
+}
+
 TEST_F(FilmCommand, TakesTheAnimationThatItNames) {
     write("m.gltf", scene::with_hop(scene::animated("translation", {1, 1, 1, 3, 3, 3}, "VEC3")));
     const std::vector<std::string> film{"m.gltf", "-o",    "a.png", "--film", "2",    "--rate",
@@ -101,7 +136,8 @@ TEST_F(FilmCommand, TakesTheAnimationThatItNames) {
         return bytes_of(in("a_002.png"));
     };
     const std::string first = drawn(
-        {}, "gw: warning: m.gltf: has 2 animations; 0 is drawn; --animation takes 0 'hop' or 1\n");
+        {},
+        "gw: warning: m.gltf: has 2 animations; the first is drawn; --animation takes 0 'hop' or 1\n");
     EXPECT_TRUE(drawn({"--animation", "hop"}, "") == first);
     EXPECT_TRUE(drawn({"--animation", "0"}, "") == first);
     EXPECT_FALSE(drawn({"--animation", "1"}, "") == first);
