@@ -2,6 +2,7 @@
 
 #include "apps/command/terminal.h"
 #include "apps/render/film_record.h"
+#include "apps/render/video.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -138,8 +139,11 @@ void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& opt
     }
     const Size size = drawing.request.size;
     const int last = options.first_last.second;
-    for (int number = options.first_last.first; number <= last; ++number)
+    for (int number = options.first_last.first; number <= last; ++number) {
         session.inputs.check(numbered(files.picture, number));
+        if (numbered(files.picture, number) == options.video)
+            throw UsageError("--video is one of the pictures; expected another name");
+    }
     const FilmRecord record(files.picture, words_of_film(drawing, film, files.tone, session));
     const int first = begin_film(record, files, options);
     const auto machine = make_machine(drawing.request, drawing.profile, session);
@@ -155,6 +159,9 @@ void draw_film(Drawing& drawing, const FrameFiles& files, const FilmOptions& opt
                            image::toned(picture, files.tone));
         output.commit();
     }
+    if (options.video.empty()) return;
+    progress.at("making a video by ffmpeg");
+    make_video(options.video, files.picture, options.first_last, film.rate, session);
 }
 
 }  // namespace gw::apps

@@ -1,4 +1,4 @@
-// The pictures of a film, numbered files one after the other. Does not parse options.
+// The pictures of a film, numbered files one after the other, and their video. Does not parse options.
 #pragma once
 
 #include "apps/render/frame_files.h"
@@ -16,8 +16,9 @@ struct FilmOptions {
     std::string animation{};              ///< its name or number from 0; empty: the first
     std::optional<double> rate, shutter;  ///< instead of the scene's
     std::optional<int> instants;
-    bool quiet = false;  ///< no warnings
-    bool go_on = false;  ///< begins at the first picture whose file is missing
+    bool quiet = false;             ///< no warnings
+    bool go_on = false;             ///< begins at the first picture that is missing
+    std::filesystem::path video{};  ///< made of the pictures; empty: none
 };
 
 /// Each picture is finished before the next is begun. The films are the drawing's: at least one.

@@ -7,6 +7,7 @@
 #include "apps/render/film.h"
 #include "apps/render/frame_files.h"
 #include "apps/render/tone_options.h"
+#include "apps/render/video.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/write.h"
@@ -90,7 +91,12 @@ void add_film_options(CLI::App& command, RenderOptions& options) {
             "Pictures superposed while the shutter is open (default: the scene's, 8)")
         ->type_name("N");
     command.add_flag("--continue", film.go_on,
-                     "Begin the film at its first picture whose file is missing");
+                     "Begin the film at its first picture that is missing");
+    command
+        .add_option(
+            "--video", film.video,
+            "Also make a video of the pictures, by ffmpeg: .mp4, .mkv, .webm, .mov, .avi, .gif")
+        ->type_name("FILE");
 }
 
 void add_options(CLI::App& command, RenderOptions& options) {
@@ -159,14 +165,16 @@ std::pair<int, int> frames_of(const RenderOptions& options) {
 
 void check_film(const RenderOptions& options) {
     const FilmOptions& film = options.film_options;
-    const bool needs_film =
-        film.rate || film.shutter || film.instants || film.go_on || !film.animation.empty();
+    const bool needs_film = film.rate || film.shutter || film.instants || film.go_on ||
+                            !film.animation.empty() || !film.video.empty();
     if (options.film.empty() && needs_film)
         throw UsageError(
-            "--animation, --rate, --shutter, --instants or --continue without --film; expected it");
+            "--animation, --rate, --shutter, --instants, --continue or --video without --film; "
+            "expected it");
     if (options.film.empty()) return;
     if (options.turntable > 0) throw UsageError("--film with --turntable; expected one of them");
     range_from("--film", options.film, 1, most_film_pictures);
+    if (!film.video.empty()) check_video(film.video);
 }
 
 void check_part(const RenderOptions& options) {

@@ -1,11 +1,12 @@
 // Claims of gw render --film: numbered pictures, motion blur as the mean of instants, the same files
-// from several processes, a film that goes on where it was cut off and only with itself.
+// from several processes, a film that goes on where it was cut off and only with itself, its video.
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 #include "tests/scene/gltf/gltf_text.h"
 
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 
 namespace gw::apps {
@@ -121,6 +122,74 @@ TEST_F(FilmCommand, GoesOnOnlyWithTheSameFilm) {
     EXPECT_NE(continued({}).err.find("a.png.film: does not exist; expected"), std::string::npos);
     write("a.png.film", "mine");
     EXPECT_NE(continued({}).err.find("a.png.film: is no record of a film"), std::string::npos);
+}
+
+/// A stand-in for ffmpeg: it writes its words into the video, or fails.
+class VideoOfFilm : public FilmCommand {
+protected:
+    VideoOfFilm() : before_(::getenv("PATH")) {
+        std::filesystem::create_directory(in("bin"));
+        ::setenv("PATH", (in("bin").string() + ":/usr/bin:/bin").c_str(), 1);
+    }
+    ~VideoOfFilm() override { ::setenv("PATH", before_.c_str(), 1); }
+    VideoOfFilm(const VideoOfFilm&) = delete;
+    VideoOfFilm& operator=(const VideoOfFilm&) = delete;
+
+    void install(const std::string& script) const {
+        write("bin/ffmpeg", "#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n" + script);
+        std::filesystem::permissions(in("bin/ffmpeg"), std::filesystem::perms::owner_all);
+    }
+    Outcome film(const std::string& video, const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> all{"film.toml", "-o",      "a%.png", "--film",
+                                     "2-3",       "--video", video};
+        all.insert(all.end(), more.begin(), more.end());
+        return render(all);
+    }
+
+private:
+    std::string before_;
+};
+
+TEST_F(VideoOfFilm, IsMadeOfItsPictures) {
+    install("for word; do last=$word; done\necho \"$@\" > \"${last#file:}\"\n");
+    const Outcome outcome = film("a.mp4");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::string words = bytes_of(in("a.mp4"));
+    EXPECT_NE(words.find("-framerate 1 -start_number 2 -i file:a%%_%03d.png -frames:v 2 "),
+              words.npos)
+        << words;
+    EXPECT_NE(words.find("-f mp4 file:"), words.npos);
+    // A continued film has the video of all its pictures.
+    std::filesystem::remove(in("a.mp4"));
+    EXPECT_EQ(film("a.mp4", {"--continue"}).code, 0);
+    EXPECT_EQ(bytes_of(in("a.mp4")).substr(0, 60), words.substr(0, 60));
+}
+
+TEST_F(VideoOfFilm, ThatFfmpegCannotMakeIsNotThere) {
+    install(
+        "for word; do last=$word; done\necho half > \"${last#file:}\"\n"
+        "echo no codec >&2\necho sorry >&2\nexit 7\n");
+    write("a.mp4", "before");
+    const Outcome outcome = film("a.mp4");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(outcome.err, "gw: a.mp4: is not written: ffmpeg ended with code 7: no codec\n");
+    EXPECT_EQ(bytes_of(in("a.mp4")), "before");
+    EXPECT_TRUE(std::filesystem::exists(in("a%_003.png")));
+}
+
+TEST_F(VideoOfFilm, IsRefusedBeforeWorkIfItCannotBeMade) {
+    ::setenv("PATH", in("bin").c_str(), 1);
+    expect_refused(1, {"render", "film.toml", "-o", "a.png", "--film", "1", "--video", "a.mp4"},
+                   {"ffmpeg cannot be run; expected it to be installed"});
+    install("");
+    expect_refused(2, {"render", "film.toml", "-o", "a.png", "--film", "1", "--video", "a.mpeg"},
+                   {"--video 'a.mpeg': expected a name with one of .mp4, .mkv"});
+    expect_refused(1, {"render", "film.toml", "-o", "a.png", "--film", "1", "--video", "no/a.mp4"},
+                   {"no/a.mp4: cannot be written"});
+    expect_refused(2, {"render", "film.toml", "-o", "a.png", "--video", "a.mp4"},
+                   {"--video without --film"});
+    expect_refused(2, {"render", "film.toml", "-o", "a.gif", "--film", "1", "--video", "a_001.gif"},
+                   {"--video is one of the pictures"});
 }
 
 TEST_F(FilmCommand, TakesTheAnimationThatItNames) {
