@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <type_traits>
 
 namespace gw::scene {
 namespace {
@@ -50,6 +51,67 @@ struct Patches {
         return {float(s / double(width())), float(t / double(height()))};
     }
 };
+
+/// Triangles of nearly one colour.
+struct ColorGroup {
+    std::vector<std::uint32_t> corners;
+    dvec3 sum{0};  ///< of the triangles' means
+};
+using ColorGroups = std::map<std::array<int, 3>, ColorGroup>;
+
+/// By the triangles' means, in the finest steps that leave at most 64 groups.
+ColorGroups color_groups(const GltfMesh& mesh) {
+    constexpr std::size_t most_groups = 64;
+    ColorGroups groups;
+    for (int steps = 255; steps > 0; steps /= 2) {
+        groups.clear();
+        for (std::size_t i = 0; i < triangle_count(mesh.mesh) && groups.size() <= most_groups;
+             ++i) {
+            const std::array<std::uint32_t, 3> at = triangle_of(mesh.mesh, i);
+            const dvec3 mean = glm::clamp(
+                dvec3(vec3(mesh.colors[at[0]] + mesh.colors[at[1]] + mesh.colors[at[2]])) / 3.0,
+                dvec3(0), dvec3(1));
+            std::array<int, 3> cell{};
+            for (int k = 0; k < 3; ++k) cell[std::size_t(k)] = int(std::lround(mean[k] * steps));
+            ColorGroup& group = groups[cell];
+            group.corners.insert(group.corners.end(), at.begin(), at.end());
+            group.sum += mean;
+        }
+        if (groups.size() <= most_groups) break;
+    }
+    return groups;
+}
+
+/// The triangles of these corners, with only their vertices.
+GltfMesh part_of(const GltfMesh& whole, const std::vector<std::uint32_t>& corners) {
+    std::vector<std::uint32_t> kept = corners;
+    std::ranges::sort(kept);
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    const auto picked = [&](const auto& list, std::size_t each = 1) {
+        std::decay_t<decltype(list)> part;
+        if (list.empty()) return part;
+        part.reserve(kept.size() * each);
+        for (const std::uint32_t vertex : kept)
+            part.insert(part.end(), list.begin() + std::ptrdiff_t(vertex * each),
+                        list.begin() + std::ptrdiff_t((vertex + 1) * each));
+        return part;
+    };
+    GltfMesh part{.mean_color = whole.mean_color,
+                  .colors = picked(whole.colors),
+                  .influences = whole.influences,
+                  .influenced = picked(whole.influenced, whole.influences),
+                  .joints = whole.joints};
+    part.mesh = {.positions = picked(whole.mesh.positions),
+                 .normals = picked(whole.mesh.normals),
+                 .texcoords = picked(whole.mesh.texcoords)};
+    part.mesh.colors = picked(whole.mesh.colors);
+    for (const std::uint32_t corner : corners)
+        part.mesh.indices.push_back(
+            std::uint32_t(std::ranges::lower_bound(kept, corner) - kept.begin()));
+    for (const MorphTarget& target : whole.targets)
+        part.targets.push_back({picked(target.positions), picked(target.normals)});
+    return part;
+}
 
 /// The matrix of normals, on the side where the surface's is.
 dmat3 normals_from(const dmat3& m) {
@@ -110,37 +172,18 @@ TextureRef color_texture(const GltfMesh& mesh) {
 }
 
 std::vector<GltfMesh> by_color(GltfMesh mesh) {
-    constexpr std::size_t most_colors = 64, most_vertices = std::size_t{1} << 24;
-    constexpr float most_difference = 1.0f / 16;
-    struct Group {
-        std::vector<std::uint32_t> corners;
-        bool varies = false;
-    };
-    std::map<std::array<float, 3>, Group> groups;
-    for (std::size_t i = 0; !mesh.colors.empty() && i < triangle_count(mesh.mesh); ++i) {
-        const std::array<std::uint32_t, 3> at = triangle_of(mesh.mesh, i);
-        const vec4 mean = (mesh.colors[at[0]] + mesh.colors[at[1]] + mesh.colors[at[2]]) / 3.0f;
-        std::array<float, 3> color{};
-        for (int k = 0; k < 3; ++k)
-            color[std::size_t(k)] = std::round(std::clamp(mean[k], 0.0f, 1.0f) * 255) / 255;
-        Group& group = groups[color];
-        group.corners.insert(group.corners.end(), at.begin(), at.end());
-        for (const std::uint32_t corner : at)
-            for (int k = 0; k < 3; ++k)
-                group.varies |= std::abs(mesh.colors[corner][k] - mean[k]) > most_difference;
-        if (groups.size() > most_colors ||
-            groups.size() * mesh.mesh.positions.size() > most_vertices)
-            return {std::move(mesh)};
-    }
+    if (mesh.colors.empty() || triangle_count(mesh.mesh) == 0) return {std::move(mesh)};
     std::vector<GltfMesh> meshes;
-    for (auto& [color, group] : groups) {
-        GltfMesh& one = meshes.emplace_back(mesh);
-        one.mesh.primitive = Primitive::Triangles;
-        one.mesh.indices = std::move(group.corners);
-        if (!group.varies) one.colors.clear();
-        one.mean_color = vec4(color[0], color[1], color[2], mesh.mean_color->w);
+    for (const auto& [cell, group] : color_groups(mesh)) {
+        const vec3 color(glm::round(group.sum / double(group.corners.size() / 3) * 255.0) / 255.0);
+        bool varies = false;
+        for (const std::uint32_t corner : group.corners)
+            for (int k = 0; k < 3; ++k)
+                varies |= std::abs(mesh.colors[corner][k] - color[k]) > 1.0f / 16;
+        GltfMesh& one = meshes.emplace_back(part_of(mesh, group.corners));
+        if (!varies) one.colors.clear();
+        one.mean_color = vec4(color, mesh.mean_color->w);
     }
-    if (meshes.empty()) meshes.push_back(std::move(mesh));
     return meshes;
 }
 

@@ -51,9 +51,9 @@ std::size_t color_texels(const GltfMesh& mesh);
 /// The vertex colours, with a patch of texels for each triangle, encoded as in sRGB.
 TextureRef color_texture(const GltfMesh& mesh);
 
-/// Meshes of one colour each, the mean of their triangles' corners in steps of 1/255. Those whose corners
-/// differ from it by more than 1/16 keep their colours. The mesh itself if there were more than 64 of
-/// them or 2^24 vertices in all.
+/// Meshes of one colour each, at most 64: the mean of their triangles' means, in steps of 1/255. Those
+/// with a corner that differs from it by more than 1/16 keep their colours. The mesh itself if it has no
+/// colours or triangles.
 std::vector<GltfMesh> by_color(GltfMesh mesh);
 
 /// Vertices moved by the weights of targets (fewer weights: the rest is 0), then by their joints'

@@ -208,13 +208,14 @@ private:
                                                std::to_string(set) + " for its texture");
         if (plain.turn)
             for (vec2& st : read.mesh.texcoords) st = plain.turn->moved(st);
-        const std::size_t vertices = read.mesh.positions.size();
         std::vector<GltfMesh> meshes;
-        if (has_map)
+        if (has_map || !has_color_texture(read))
             meshes = by_color(std::move(read));
         else
             meshes.push_back(std::move(read));
-        if (meshes.size() > 1) count_numbers(primitive, meshes.size() * vertices);
+        if (meshes.size() > 1)
+            for (const GltfMesh& mesh : meshes)
+                count_numbers(primitive, mesh.mesh.positions.size());
         for (GltfMesh& mesh : meshes)
             parts.push_back(part_of(primitive, material, has_map, std::move(mesh), name));
     }
@@ -242,8 +243,12 @@ private:
         mesh.is_patched = !has_map && has_color_texture(mesh);
         if (!mesh.is_patched) {
             if (!mesh.colors.empty())
-                document_.warn("COLOR_0", "object '" + printable(name) +
-                                              "': vertex colours are drawn as their mean");
+                document_.warn("COLOR_0",
+                               "object '" + printable(name) + "': its vertex colours " +
+                                   (triangle_count(mesh.mesh) > 0
+                                        ? "beside a texture are drawn as means of triangles, in at "
+                                          "most 64 colours"
+                                        : "are drawn as their mean"));
             return material_of(material, mesh.mean_color);
         }
         count_numbers(primitive, color_texels(mesh));

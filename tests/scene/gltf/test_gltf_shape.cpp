@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gw::scene {
@@ -290,8 +291,9 @@ TEST_F(GltfShape, AMaterialWithATextureHasTheMeanOfVertexColours) {
 "meshes": [{"primitives": [{"material": 0, "attributes": {"POSITION": )" +
         p + R"(, "COLOR_0": )" + c + R"(, "TEXCOORD_0": )" + st + "}}]}]"));
     ASSERT_EQ(file.warnings.size(), 1u);
-    EXPECT_EQ(folder.relative(file.warnings[0]),
-              "m.gltf: object 'n': vertex colours are drawn as their mean");
+    EXPECT_EQ(
+        folder.relative(file.warnings[0]),
+        "m.gltf: object 'n': its vertex colours beside a texture are drawn as means of triangles, in at most 64 colours");
     const Material& m = file.scene.materials.at(file.scene.objects.at(0).material);
     EXPECT_NEAR(double(m.Kd.x), 1.055 * std::pow(1.0 / 3, 1 / 2.4) - 0.055, 1e-6);
 }
@@ -318,6 +320,41 @@ TEST_F(GltfShape, TexturedTrianglesOfOneColourKeepIt) {
         EXPECT_EQ(m.map_Kd.size(), 1u);
         EXPECT_EQ(o.mesh->triangles().size(), 1u);
     }
+}
+
+/// 90 triangles from black to red: too many colours for exact ones, and each is drawn near its own.
+TEST_F(GltfShape, TexturedTrianglesOfManyColoursHaveNearOnes) {
+    Accessors a;
+    constexpr int n = 90;
+    std::vector<float> p, c, st;
+    for (int i = 0; i < n; ++i)
+        for (int k = 0; k < 3; ++k) {
+            p.insert(p.end(), {float(k == 1), float(k == 2), float(i)});
+            c.insert(c.end(), {float(i) / (n - 1), 0, 0});
+            st.insert(st.end(), {float(k == 1), float(i)});
+        }
+    const std::string positions = std::to_string(a.vec3s(p)), colors = std::to_string(a.vec3s(c)),
+                      texcoords = std::to_string(a.add<float>(st, 5126, "VEC2"));
+    const SceneFile file = read(a.file(
+        R"("nodes": [{"mesh": 0}], "images": [{"uri": "data:image/png;base64,QUJD"}],
+"textures": [{"source": 0}], "materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorTexture": {"index": 0}}}],
+"meshes": [{"primitives": [{"material": 0, "attributes": {"POSITION": )" +
+        positions + R"(, "COLOR_0": )" + colors + R"(, "TEXCOORD_0": )" + texcoords + "}}]}]"));
+    EXPECT_TRUE(file.warnings.empty());
+    EXPECT_LE(file.scene.objects.size(), 64u);
+    std::vector<bool> found(n);
+    for (const Object& o : file.scene.objects) {
+        const double Kd = double(file.scene.materials.at(o.material).Kd.x);
+        const double light = Kd <= 0.04045 ? Kd / 12.92 : std::pow((Kd + 0.055) / 1.055, 2.4);
+        const MeshData& mesh = o.mesh->data();
+        for (std::size_t corner = 0; corner < mesh.positions.size(); ++corner) {
+            const double i = double(mesh.positions[corner].z);
+            found.at(std::size_t(i)) = true;
+            EXPECT_NEAR(light, i / (n - 1), 1.0 / 63);
+            EXPECT_EQ(mesh.texcoords[corner].y, float(1 - i));
+        }
+    }
+    EXPECT_EQ(std::ranges::count(found, true), n);
 }
 
 // The extension's own example: the lower left quarter of the picture, turned clockwise by 90 degrees.
