@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 namespace gw::multipass {
 namespace {
@@ -25,6 +28,40 @@ void add_triangles(std::vector<SortedTriangle>& all, const PlacedModel& placed, 
     for (std::uint32_t i = 0; i < mesh.triangles().size(); ++i) {
         const auto& v = mesh.triangles()[i].vertex;
         all.push_back({distance(v[0]) + distance(v[1]) + distance(v[2]), index, i});
+    }
+}
+
+std::array<dvec3, 3> eye_corners(const PlacedModel& placed, const SortedTriangle& t) {
+    const Mesh& mesh = *placed.model->parts[t.part].mesh;
+    const dmat4& m = placed.eye_from_object[t.part];
+    std::array<dvec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+        corners[k] =
+            transform3(dmat3(m),
+                       dvec3(mesh.data().positions[mesh.triangles()[t.triangle].vertex[k]])) +
+            dvec3(m[3]);
+    return corners;
+}
+
+/// Faces of one plane hide nothing of each other. So those of one name that follow each other are
+/// gathered by part: a surface that was cut by its opacity then needs few draws.
+void gather_in_planes(std::vector<SortedTriangle>& all, const PlacedModel& placed) {
+    const auto& parts = placed.model->parts;
+    for (auto first = all.begin(); first != all.end();) {
+        const auto [a, b, c] = eye_corners(placed, *first);
+        const dvec3 cross = cross3(b - a, c - a), normal = cross / length(cross), origin = a;
+        const std::string& name = parts[first->part].object->name;
+        const auto last = std::find_if(first + 1, all.end(), [&](const SortedTriangle& t) {
+            if (parts[t.part].object->name != name) return true;
+            const std::array<dvec3, 3> corners = eye_corners(placed, t);
+            return std::any_of(corners.begin(), corners.end(), [&](const dvec3& p) {
+                return !(std::abs(dot3(normal, p - origin)) <= 1e-6 * length(p));
+            });
+        });
+        std::stable_sort(first, last, [](const SortedTriangle& x, const SortedTriangle& y) {
+            return x.part < y.part;
+        });
+        first = last;
     }
 }
 
@@ -125,6 +162,7 @@ std::vector<Portion> far_to_near(const PlacedModel& placed) {
     std::stable_sort(all.begin(), all.end(), [](const SortedTriangle& a, const SortedTriangle& b) {
         return a.distance > b.distance;
     });
+    gather_in_planes(all, placed);
     std::vector<Portion> portions;
     PortionMaker maker(placed);
     for (auto first = all.begin(); first != all.end();) {

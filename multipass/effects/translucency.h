@@ -18,8 +18,9 @@ namespace gw::multipass {
 
 /// The triangles of all translucent parts, farthest centroid (along the line of sight) first. Wrong,
 /// as all sorting by centroids, if polygons pierce each other or overlap in a cycle
-/// (docs/passes.md). Successive triangles of one part make a portion. Triangles at equal distance
-/// keep the order of objects and triangles.
+/// (docs/passes.md). Successive triangles of one part make a portion; those of parts of one name in one
+/// plane count as successive, since they hide nothing of each other. Triangles at equal distance keep
+/// the order of objects and triangles.
 std::vector<Portion> far_to_near(const PlacedModel& placed);
 
 /// Far to near; every layer has the window's size, bottom row first.

@@ -211,6 +211,35 @@ TEST(FarToNear, GoesByTheCentroidWhicheverCornerIsFirst) {
     }
 }
 
+/// Rows of small triangles in a slanted plane, by turns of two parts.
+TEST(FarToNear, GathersThePiecesOfOnePlane) {
+    for (const bool bent : {false, true}) {
+        scene::Scene s;
+        s.materials = {{.d = 0.25f}, {.d = 0.75f}};
+        for (const int part : {0, 1}) {
+            MeshData data;
+            for (int i = part; i < 20; i += 2) {
+                const float y = float(i) / 10 - 1, z = bent ? y * y : y / 3;
+                data.positions.insert(
+                    data.positions.end(),
+                    {{-1, y, z}, {1, y, z}, {0, y + 0.1f, bent ? z : z + 0.1f / 3}});
+            }
+            s.objects.push_back({.name = "leaf",
+                                 .mesh = make_mesh(std::move(data)),
+                                 .material = std::size_t(part)});
+        }
+        s.camera =
+            scene::Camera{.eye = {0, 0, 9}, .near_plane = 1, .far_plane = 20, .ortho_height = 4};
+        const auto portions = [&] {
+            const PassModel model = make_pass_model(s);
+            return far_to_near(place_model(model, scene::make_view(s, size, size))).size();
+        };
+        EXPECT_EQ(portions(), bent ? 11u : 2u);
+        s.objects[1].name = "another";
+        EXPECT_EQ(portions(), bent ? 11u : 20u);
+    }
+}
+
 TEST(Translucency, OfManyPiecesComesInSeveralLists) {
     constexpr int pieces = 35'000;
     Stack stack = Stack().add({0, 0, 0.5f}, 1);
