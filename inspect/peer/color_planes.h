@@ -14,6 +14,7 @@ public:
 
     /// The window has this plane now: Color or Back.
     void show(Plane plane);
+    Plane shown() const { return shown_; }
     /// SwapBuffers.
     void exchange() { shown_ = other(); }
 

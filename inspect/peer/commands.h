@@ -6,6 +6,7 @@
 #include "gw/planes.h"
 #include "gw/profile.h"
 #include "gw/state.h"
+#include "inspect/peer/textures.h"
 
 #include <GL/gl.h>
 
@@ -14,23 +15,23 @@
 namespace gw::peer {
 
 /// Sets viewport, clip planes, culling, sizes, tests, blending and masks. Throws Error for state
-/// that OpenGL cannot express here.
-void apply(const State& state, int width, int height);
+/// that OpenGL cannot express here. `color_buffer`: where colours are drawn; GL_NONE: nowhere.
+void apply(const State& state, int width, int height, GLenum color_buffer);
 
 /// Factors found at the vertices go by way of a linear fog of distance 1 - f.
 void apply(const FogState& fog, bool per_fragment, bool on);
 
-/// Sets matrices and fog, and draws through glBegin and glEnd. `texture_target`: of the texture that
-/// is bound; 0: none.
+/// Sets matrices and fog, and draws through glBegin and glEnd. `targets`: of the textures that are
+/// bound.
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
-          GLenum texture_target);
+          const TextureTargets& targets);
 
 void clear(const Clear& command, float accum_scale);
 void write(const WriteSpans& command);
 void write(const WritePixels& command, const DepthState& depth);
 /// Throws Error for colours with depths, and for bits with other values or a zoom: OpenGL has no
 /// such rectangle.
-void draw(const DrawPixels& command, const State& state, GLenum texture_target);
+void draw(const DrawPixels& command, const State& state, const TextureTargets& targets);
 void copy(const Copy& command, const DepthState& depth);
 
 /// OpenGL holds accumulated values in [-1, 1]; the machine counts units of the frame buffer. Weights

@@ -45,10 +45,12 @@ void load(GLenum mode, const dmat4& m) {
 /// A draw between glBegin and glEnd.
 class Emitter {
 public:
-    Emitter(const Draw& draw, const State& state, const Profile& profile)
+    Emitter(const Draw& draw, const State& state, const Profile& profile,
+            const TextureTargets& targets)
         : draw_(draw),
           state_(state),
           profile_(profile),
+          targets_(targets),
           program_(vertex_program(state, draw, profile)) {
         for (std::uint32_t i = 0; i < draw.mesh->vertex_count(); ++i)
             vertices_.push_back(run_vertex(program_, i));
@@ -119,8 +121,13 @@ private:
         const dvec4 p = object_position(draw_.mesh->data(), index);
         color(state_.shade_model == ShadeModel::Flat ? vertices_[provoking] : v, polygon, side);
         gl().TexCoord4d(v.texcoord.x, v.texcoord.y, v.texcoord.z, v.texcoord.w);
+        for (std::size_t unit = 1; unit < targets_.size(); ++unit)
+            if (targets_[unit] != 0) further_texcoord(unit, v.texcoord_of(unit));
         if (gl().FogCoordd) gl().FogCoordd(fog_coordinate(v, p));
         gl().Vertex4f(float(p.x), float(p.y), float(p.z), float(p.w));
+    }
+    static void further_texcoord(std::size_t unit, const dvec4& c) {
+        gl().MultiTexCoord4d(GL_TEXTURE0 + static_cast<GLenum>(unit), c.x, c.y, c.z, c.w);
     }
     void color(const Vertex& v, std::uint32_t polygon, Face side) const {
         if (state_.color_source == ColorSource::PolygonId) {
@@ -150,6 +157,7 @@ private:
     const Draw& draw_;
     const State& state_;
     const Profile& profile_;
+    const TextureTargets& targets_;
     VertexProgram program_;
     std::vector<Vertex> vertices_;
 };
@@ -172,20 +180,20 @@ void apply(const FogState& fog, bool per_fragment, bool on) {
 }
 
 void draw(const Draw& draw, const State& state, const Profile& profile, int width, int height,
-          GLenum texture_target) {
+          const TextureTargets& targets) {
     const bool shaded = state.color_source != ColorSource::PolygonId;
-    const Emitter emitter(draw, state, profile);
+    const Emitter emitter(draw, state, profile, targets);
     load(GL_PROJECTION, jittered(state, profile.subpixel_bits, width, height));
     load(GL_MODELVIEW, draw.eye_from_object);
     apply(state.fog, emitter.fragment_fog(), shaded && state.fog.enable);
     if (gl().SecondaryColor3ubv) enable(GL_COLOR_SUM, sums_colors(state));
-    if (shaded && texture_target) gl().Enable(texture_target);
+    if (shaded) enable(targets, true);
     switch (draw.mesh->kind()) {
         case MeshKind::Triangles: emitter.triangles(); break;
         case MeshKind::Lines: emitter.lines(); break;
         case MeshKind::Points: emitter.points(); break;
     }
-    if (texture_target) gl().Disable(texture_target);
+    enable(targets, false);
     gl().Disable(GL_FOG);
 }
 

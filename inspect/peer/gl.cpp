@@ -19,6 +19,14 @@ void refuse(const char* needed, const char* feature) {
                             feature, needed, gl().version / 10, gl().version % 10));
 }
 
+bool Functions::offers(int since, std::string_view extension) const {
+    return version >= since || extensions.find(fmt::format(" {} ", extension)) != std::string::npos;
+}
+
+void require(int since, const char* extension, const char* feature) {
+    if (!gl().offers(since, extension)) refuse(extension, feature);
+}
+
 void enable(GLenum capability, bool on) { on ? gl().Enable(capability) : gl().Disable(capability); }
 
 }  // namespace gw::peer

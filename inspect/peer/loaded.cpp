@@ -6,7 +6,6 @@
 
 #include <dlfcn.h>
 #include <cstdlib>
-#include <string_view>
 
 namespace gw::peer {
 namespace {
@@ -22,11 +21,6 @@ int version_of(const Functions& f) {
     const char* const words = string_of(f, GL_VERSION);
     const long major = std::strtol(words, &end, 10);
     return int(10 * major + (*end == '.' ? std::strtol(end + 1, nullptr, 10) : 0));
-}
-
-bool has_extension(const Functions& f, std::string_view name) {
-    const std::string all = fmt::format(" {} ", string_of(f, GL_EXTENSIONS));
-    return !name.empty() && all.find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
 void check_planes(const Functions& f, const std::string& path) {
@@ -76,6 +70,7 @@ Functions Loaded::functions() const {
 
 void Loaded::complete(Functions& f) const {
     f.version = version_of(f);
+    f.extensions = fmt::format(" {} ", string_of(f, GL_EXTENSIONS));
     GLboolean has_back = GL_FALSE;
     f.GetBooleanv(GL_DOUBLEBUFFER, &has_back);
     f.color_buffer = has_back ? GL_BACK : GL_FRONT;
@@ -83,7 +78,7 @@ void Loaded::complete(Functions& f) const {
 #define GW_FIND(name, since, extension, end) \
     if (f.version >= (since))                \
         get("gl" #name, f.name);             \
-    else if (has_extension(f, extension))    \
+    else if (f.offers(since, extension))     \
         get("gl" #name end, f.name);
     GW_LATER_FUNCTIONS(GW_FIND)
 #undef GW_FIND

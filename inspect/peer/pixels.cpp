@@ -126,7 +126,8 @@ void check_rectangle(const DrawPixels& c) {
 }
 
 /// glRasterPos' values, by way of a window position.
-void set_raster_position(const RasterPosition& r, const State& state) {
+void set_raster_position(const RasterPosition& r, const State& state,
+                         const TextureTargets& targets) {
     const std::vector<GLubyte> color = bytes(&r.color, 1), secondary = bytes(&r.secondary_color, 1);
     gl().Color4ubv(color.data());
     if (sums_colors(state)) {
@@ -135,6 +136,11 @@ void set_raster_position(const RasterPosition& r, const State& state) {
         enable(GL_COLOR_SUM, true);
     }
     gl().TexCoord4d(r.texcoord.x, r.texcoord.y, r.texcoord.z, r.texcoord.w);
+    for (std::size_t unit = 1; unit < targets.size(); ++unit) {
+        if (targets[unit] == 0) continue;
+        const vec4& of = r.more_texcoords[unit - 1];
+        gl().MultiTexCoord4d(GL_TEXTURE0 + static_cast<GLenum>(unit), of.x, of.y, of.z, of.w);
+    }
     if (gl().FogCoordd)
         gl().FogCoordd(state.fog.source == FogSource::Coordinate ? r.fog_coordinate : r.distance);
     gl().DepthRange(0, 1);
@@ -165,13 +171,13 @@ void draw_values(const DrawPixels& c) {
 
 }  // namespace
 
-void draw(const DrawPixels& c, const State& state, GLenum texture_target) {
+void draw(const DrawPixels& c, const State& state, const TextureTargets& targets) {
     check_rectangle(c);
     if (state.fog.enable && !gl().FogCoordd) refuse("glFogCoord", "fog of drawn pixels");
     const SavedState saved;
     apply(state.fog, true, state.fog.enable);
-    if (texture_target) gl().Enable(texture_target);
-    set_raster_position(c.raster, state);
+    enable(targets, true);
+    set_raster_position(c.raster, state, targets);
     gl().PixelZoom(float(c.zoom_x), float(c.zoom_y));
     draw_values(c);
 }

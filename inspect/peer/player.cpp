@@ -5,8 +5,10 @@
 #include "gw/names.h"
 #include "inspect/peer/color_planes.h"
 #include "inspect/peer/commands.h"
+#include "inspect/peer/framebuffers.h"
 #include "inspect/peer/gl.h"
 #include "inspect/peer/library.h"
+#include "inspect/peer/occlusion.h"
 #include "inspect/peer/textures.h"
 
 #include <fmt/format.h>
@@ -49,6 +51,8 @@ struct Player::Context {
     std::unique_ptr<Surface> surface;
     ColorPlanes colors;
     Textures textures;
+    Framebuffers framebuffers;
+    Occlusion occlusion;
     ListContext before;
 
     Context(const Profile& p, int w, int h, const std::string& implementation)
@@ -59,9 +63,20 @@ struct Player::Context {
           colors(w, h) {
         surface->make_current();
         set_up();
-        apply(before.state, width, height);
+        apply_state();
         // A machine's planes begin with 0.
         clear({.planes = all_planes, .depth = 0}, 1);
+    }
+
+    /// The width or height of what is drawn to.
+    int extent(int gw::Surface::*side, int of_window) const {
+        const gw::Surface* const target = framebuffers.surface();
+        return target ? target->*side : of_window;
+    }
+    int target_width() const { return extent(&gw::Surface::width, width); }
+    int target_height() const { return extent(&gw::Surface::height, height); }
+    void apply_state() {
+        apply(before.state, target_width(), target_height(), framebuffers.color_buffer());
     }
 
     Plane drawn() const {
@@ -74,23 +89,60 @@ struct Player::Context {
     }
     /// The window has the plane that colours are drawn to.
     void show_drawn() {
-        if (profile.color_planes == 2) colors.show(drawn());
+        if (has_two_planes()) show(drawn());
     }
     void show_copied(Plane plane) {
         show_drawn();
-        if (plane == Plane::Color && profile.color_planes == 2 && read() != drawn())
+        if (plane == Plane::Color && has_two_planes() && read() != drawn())
             throw Error("a copy from one colour plane to the other: the window here has one");
+    }
+    bool has_two_planes() const { return profile.color_planes == 2 && framebuffers.in_use() == 0; }
+    /// Of the window, which is bound.
+    void show(Plane plane) {
+        if (colors.shown() != plane && occlusion.is_active())
+            throw Error("a query while colours go from one plane to the other: they would count");
+        colors.show(plane);
     }
 
     void run(const BeginPass&) {}
     void run(const Read&) {}
     void run(const SwapBuffers&) { colors.exchange(); }
-    void run(const Query&) {}
-    void run(const MakeSurface&) { refuse_surfaces(); }
-    void run(const UseSurface&) { refuse_surfaces(); }
-    void run(const Blit&) { refuse_surfaces(); }
-    [[noreturn]] static void refuse_surfaces() {
-        throw Error("surfaces: here is one window, and no surface");
+    void run(const Query& c) {
+        occlusion.run(c);
+        follow(c, before);
+    }
+    void run(const MakeSurface& c) {
+        const std::uint32_t in_use = framebuffers.in_use();
+        framebuffers.make(c);
+        if (c.surface.width == 0)
+            before.surfaces.erase(c.number);
+        else
+            before.surfaces[c.number] = c.surface;
+        run(UseSurface{in_use});
+    }
+    void run(const UseSurface& c) {
+        framebuffers.use(c.number);
+        before.surface = c.number;
+        apply_state();
+    }
+    void run(const Blit& c) {
+        const bool is_written = before.state.draw_buffer != DrawBuffer::None;
+        const bool copies_colors = (c.planes & mask_of(Plane::Color)) != 0 && is_written;
+        if (copies_colors && c.from_surface == 0 && framebuffers.in_use() == 0)
+            show_copied(Plane::Color);
+        else if (copies_colors && c.from_surface == 0)
+            show_for_surface();
+        else if (copies_colors)
+            show_drawn();
+        framebuffers.blit(c, is_written);
+    }
+    /// The window has the plane that colours are read from, while a surface is in use.
+    void show_for_surface() {
+        if (profile.color_planes != 2) return;
+        const std::uint32_t in_use = framebuffers.in_use();
+        run(UseSurface{0});
+        show(read());
+        run(UseSurface{in_use});
     }
     void run(const Clear& c) {
         show_drawn();
@@ -98,17 +150,20 @@ struct Player::Context {
     }
     void run(const SetState& c) {
         before.state = c.state;
-        apply(c.state, width, height);
+        apply_state();
     }
-    /// Units 1 to 3 are off.
-    static void check_units(const auto& command) {
-        for (std::size_t unit = 1; unit < max_texture_units; ++unit)
-            if (map_of(command, unit).enabled()) refuse("GL_ARB_multitexture", "more_maps");
+    TextureTargets bind(const auto& command) {
+        TextureTargets out{};
+        for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+            const TextureBinding& map = map_of(command, unit);
+            out[unit] = textures.bind(unit, map, texture_of(before.state, unit),
+                                      map.surface ? framebuffers.texture_of(*map.surface) : 0);
+        }
+        return out;
     }
     void run(const Draw& c) {
-        check_units(c);
         show_drawn();
-        draw(c, before.state, profile, width, height, textures.bind(c.map, before.state.texture));
+        draw(c, before.state, profile, target_width(), target_height(), bind(c));
     }
     void run(const WriteSpans& c) {
         show_drawn();
@@ -119,13 +174,12 @@ struct Player::Context {
         write(c, before.state.depth);
     }
     void run(const DrawPixels& c) {
-        check_units(c);
         show_copied(c.source ? c.source->plane : Plane::Depth);
-        draw(c, before.state, textures.bind(c.map, before.state.texture));
+        draw(c, before.state, bind(c));
     }
     void run(const Accumulate& c) {
         const bool reads = c.op == AccumOp::Accum || c.op == AccumOp::Load;
-        if (profile.color_planes == 2) colors.show(reads ? read() : drawn());
+        if (has_two_planes()) show(reads ? read() : drawn());
         accumulate(c, accum_divisor(profile));
     }
     void run(const Copy& c) {
@@ -133,7 +187,7 @@ struct Player::Context {
         copy(c, before.state.depth);
     }
     void run(const CopyTexture& c) {
-        if (profile.color_planes == 2) colors.show(read());
+        if (has_two_planes()) show(read());
         textures.copy(c);
         before.slots[c.slot] = c.plane;
     }
@@ -163,10 +217,15 @@ void Player::play(const CommandList& list, std::size_t count) {
 
 Planes Player::planes() const {
     context_->surface->make_current();
+    const std::uint32_t in_use = context_->framebuffers.in_use();
+    context_->framebuffers.use(0);
     Planes planes = read_planes(context_->width, context_->height);
+    context_->framebuffers.use(in_use);
     context_->colors.complete(planes, context_->profile.color_planes == 2);
     return planes;
 }
+
+const std::vector<QueryResult>& Player::queries() const { return context_->occlusion.results(); }
 
 std::string Player::renderer() const {
     context_->surface->make_current();

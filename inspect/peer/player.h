@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace gw::peer {
 
@@ -32,11 +33,15 @@ public:
     /// Plays the first `count` commands. State, planes and texture slots persist, as a machine's
     /// do. `Read` and `BeginPass` have no effect. Throws Error if `validate` does (before anything
     /// is drawn), and "command 3 (Draw): ..." for what it cannot express: sizes beyond its own, both
-    /// colour planes at once, and functions of later versions if it has neither them nor extensions.
+    /// colour planes at once, surfaces with other depths than OpenGL's, and functions of later versions
+    /// if it has neither them nor extensions.
     void play(const CommandList& list, std::size_t count = std::numeric_limits<std::size_t>::max());
 
     /// Colour, depth and stencil, as Planes has them; `accum` stays 0, as OpenGL cannot read it.
     Planes planes() const;
+
+    /// The results of the queries that ended, in order.
+    const std::vector<QueryResult>& queries() const;
 
     /// GL_RENDERER and GL_VERSION: "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa
     /// 22.3.6".

@@ -78,12 +78,19 @@ void apply(const PointParameters& p) {
 }
 
 void apply_sprites(const State& s) {
-    if (gl().version < 20) {
-        if (s.point_sprite) refuse("OpenGL 2.0", "point_sprite");
-        return;
-    }
-    enable(GL_POINT_SPRITE, s.point_sprite);
-    gl().TexEnvi(GL_POINT_SPRITE, GL_COORD_REPLACE, s.texture.coord_replace);
+    if (gl().offers(20, "GL_ARB_point_sprite"))
+        enable(GL_POINT_SPRITE, s.point_sprite);
+    else if (s.point_sprite)
+        refuse("GL_ARB_point_sprite", "point_sprite");
+}
+
+void apply(const MultisampleState& s) {
+    if (!gl().SampleCoverage) return;
+    enable(GL_MULTISAMPLE, s.enable);
+    enable(GL_SAMPLE_ALPHA_TO_COVERAGE, s.alpha_to_coverage);
+    enable(GL_SAMPLE_ALPHA_TO_ONE, s.alpha_to_one);
+    enable(GL_SAMPLE_COVERAGE, s.coverage_test);
+    gl().SampleCoverage(s.coverage, s.invert);
 }
 
 void apply_primitives(const State& s) {
@@ -129,19 +136,22 @@ void apply(const StencilState& s) {
                                                                          s.back.write_mask);
 }
 
-/// The player chooses which colour plane the buffer stands for.
-void apply(DrawBuffer buffer) {
-    gl().DrawBuffer(buffer == DrawBuffer::None ? GL_NONE : gl().color_buffer);
-}
-
 bool is_constant(BlendFactor f) { return f >= BlendFactor::ConstantColor; }
+
+void apply_separate(const BlendState& s) {
+    required(gl().BlendFuncSeparate, "glBlendFuncSeparate", "blend.alpha")(
+        token(s.src), token(s.dst), token(s.alpha.src), token(s.alpha.dst));
+    required(gl().BlendEquationSeparate, "glBlendEquationSeparate", "blend.alpha.equation")(
+        token(s.equation), token(s.alpha.equation));
+}
 
 void apply(const BlendState& s) {
     enable(GL_BLEND, s.enable);
-    if (s.enable && s.alpha.separate) refuse("glBlendFuncSeparate", "blend.alpha");
-    if (is_constant(s.src) || is_constant(s.dst))
+    if (is_constant(s.src) || is_constant(s.dst) || is_constant(s.alpha.src) ||
+        is_constant(s.alpha.dst))
         required(gl().BlendColor, "GL_EXT_blend_color", "blend.color")(s.color.x, s.color.y,
                                                                        s.color.z, s.color.w);
+    if (s.alpha.separate) return apply_separate(s);
     gl().BlendFunc(token(s.src), token(s.dst));
     if (gl().BlendEquation)
         gl().BlendEquation(token(s.equation));
@@ -149,8 +159,9 @@ void apply(const BlendState& s) {
         refuse("GL_EXT_blend_minmax", "blend.equation");
 }
 
-void apply_fragments(const State& s) {
-    apply(s.draw_buffer);
+/// The player chooses which colour plane the buffer stands for.
+void apply_fragments(const State& s, GLenum color_buffer) {
+    gl().DrawBuffer(s.draw_buffer == DrawBuffer::None ? GL_NONE : color_buffer);
     enable(GL_SCISSOR_TEST, s.scissor.test);
     gl().Scissor(s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.scissor.box.height);
     enable(GL_ALPHA_TEST, s.alpha.test);
@@ -167,14 +178,15 @@ void apply_fragments(const State& s) {
 
 }  // namespace
 
-void apply(const State& state, int width, int height) {
+void apply(const State& state, int width, int height, GLenum color_buffer) {
     apply(state.viewport, state.depth_range, width, height);
     apply(state.clip_control);
     apply(state.clip_planes);
     apply(state.cull);
     apply_primitives(state);
     apply(state.stencil);
-    apply_fragments(state);
+    apply_fragments(state, color_buffer);
+    apply(state.multisample);
 }
 
 }  // namespace gw::peer

@@ -48,8 +48,9 @@ CommandList fresh() {
     return list;
 }
 
-/// What went wrong, or nothing and the planes.
+/// What went wrong, or nothing, the planes and the results of queries.
 void answer(std::FILE* out, peer::Player& player, const CommandList& list) {
+    const std::size_t before = player.queries().size();
     try {
         player.play(fresh());
         player.play(list);
@@ -60,6 +61,9 @@ void answer(std::FILE* out, peer::Player& player, const CommandList& list) {
     put_text(out, "");
     const Planes planes = player.planes();
     for_planes(planes, [&](const void* data, std::size_t size) { put(out, data, size); });
+    const std::size_t count = player.queries().size() - before;
+    put(out, &count, sizeof count);
+    put(out, player.queries().data() + before, count * sizeof(QueryResult));
 }
 
 void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, int height,
@@ -80,7 +84,7 @@ void play_all(std::FILE* out, const std::vector<CommandList>& lists, int width, 
 }
 
 Answers receive(std::FILE* in, std::size_t count, int width, int height, const Profile& profile) {
-    Answers answers{get_text(in), {}};
+    Answers answers{.renderer = get_text(in), .planes = {}};
     for (std::size_t i = 0; i < count; ++i) {
         const std::string error = get_text(in);
         if (!error.empty()) throw Error(error);
@@ -88,6 +92,10 @@ Answers receive(std::FILE* in, std::size_t count, int width, int height, const P
         if (profile.color_planes == 2) planes.back.resize(planes.color.size());
         for_planes(planes, [&](void* data, std::size_t size) { get(in, data, size); });
         answers.planes.push_back(std::move(planes));
+        std::size_t results = 0;
+        get(in, &results, sizeof results);
+        answers.queries.emplace_back(results);
+        get(in, answers.queries.back().data(), results * sizeof(QueryResult));
     }
     return answers;
 }

@@ -12,7 +12,8 @@ namespace gw::test {
 /// What a driver makes of lists, each played on planes of 0 and the initial state.
 struct Answers {
     std::string renderer;
-    std::vector<Planes> planes;  ///< one a list
+    std::vector<Planes> planes;                       ///< one a list
+    std::vector<std::vector<QueryResult>> queries{};  ///< of each list
 };
 
 /// `driver`: GALLIUM_DRIVER, `llvmpipe` or `softpipe`. Throws Error with what the other process
