@@ -62,6 +62,13 @@ std::shared_ptr<Surface> surface_named(Display* display, XID name, int request) 
     return surface;
 }
 
+void destroy_pixmap(Display* display, XID pixmap, int request) {
+    at_c_boundary([&] {
+        if (!remove_surface(display, pixmap, Surface::Kind::Pixmap))
+            send_error(display, GlxError::Pixmap, pixmap, request);
+    });
+}
+
 /// What the calling thread's context has assembled for a drawable.
 void finish_current(const std::shared_ptr<Surface>& surface) {
     if (current != nullptr && current_binding().draw == surface)
@@ -115,10 +122,7 @@ GLXPixmap glXCreatePixmap(Display* display, GLXFBConfig config, Pixmap pixmap, c
 }
 
 void glXDestroyPixmap(Display* display, GLXPixmap pixmap) {
-    at_c_boundary([&] {
-        if (!remove_surface(display, pixmap, Surface::Kind::Pixmap))
-            send_error(display, GlxError::Pixmap, pixmap, X_GLXDestroyPixmap);
-    });
+    destroy_pixmap(display, pixmap, X_GLXDestroyPixmap);
 }
 
 GLXPixmap glXCreateGLXPixmap(Display* display, XVisualInfo* visual, Pixmap pixmap) {
@@ -134,7 +138,9 @@ GLXPixmap glXCreateGLXPixmapWithConfigSGIX(Display* display, GLXFBConfig config,
     return glXCreatePixmap(display, config, pixmap, nullptr);
 }
 
-void glXDestroyGLXPixmap(Display* display, GLXPixmap pixmap) { glXDestroyPixmap(display, pixmap); }
+void glXDestroyGLXPixmap(Display* display, GLXPixmap pixmap) {
+    destroy_pixmap(display, pixmap, X_GLXDestroyGLXPixmap);
+}
 
 GLXPbuffer glXCreatePbuffer(Display* display, GLXFBConfig config, const int* list) {
     return at_c_boundary([&]() -> XID {

@@ -41,6 +41,20 @@ TEST_F(GlxOffscreen, APixmapHasThePicture) {
     glXDestroyContext(display, context);
 }
 
+/// X prints the request's name by its number.
+TEST_F(GlxOffscreen, ErrorsNameTheRequestThatWasMade) {
+    static int request = 0;
+    const XErrorHandler before = XSetErrorHandler([](Display*, XErrorEvent* error) {
+        request = error->minor_code;
+        return 0;
+    });
+    glXDestroyPixmap(display, 0x7FFFFF);
+    EXPECT_EQ(request, 23);  // X_GLXDestroyPixmap
+    glXDestroyGLXPixmap(display, 0x7FFFFF);
+    EXPECT_EQ(request, 15);  // X_GLXDestroyGLXPixmap
+    XSetErrorHandler(before);
+}
+
 TEST_F(GlxOffscreen, APixmapThatWasLeftIsNotWrittenAgain) {
     const GLXFBConfig with = config(false);
     const Pixmap pixmap = make_pixmap(30, 20);
