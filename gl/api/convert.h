@@ -62,7 +62,8 @@ Numbers numbers(GLsizei n, const T* values) {
 Stipple stipple(const GLubyte* mask);
 constexpr bool is_proxy_target(GLenum target) {
     return target == GL_PROXY_TEXTURE_1D || target == GL_PROXY_TEXTURE_2D ||
-           target == GL_PROXY_TEXTURE_3D || target == GL_PROXY_TEXTURE_CUBE_MAP;
+           target == GL_PROXY_TEXTURE_RECTANGLE || target == GL_PROXY_TEXTURE_3D ||
+           target == GL_PROXY_TEXTURE_CUBE_MAP;
 }
 /// The pixels of a texture's image; a proxy has none.
 inline const GLvoid* image_pixels(GLenum target, const GLvoid* pixels) {

@@ -137,6 +137,15 @@ void set_texture_coordinates(gw::TextureState& out, const Context& context, std:
     if (s.generates()) out.gen = TexGen::PerCoordinate;
 }
 
+/// The matrix followed by that of rectangles.
+dmat4 in_rectangle(dmat4 matrix, const dvec2& scale) {
+    for (int column = 0; column < 4; ++column) {
+        dvec4& c = matrix[column];
+        for (int row = 0; row < 2; ++row) c[row] = rectangle_coordinate(c[row], c[3], scale[row]);
+    }
+    return matrix;
+}
+
 /// The machine's textures begin with the base level.
 TextureLodState levels_of_detail(const TextureUnit& s, const TextureParameters& p) {
     return {.bias = clamped(s.lod_bias + p.lod_bias, -max_lod_bias, max_lod_bias),
@@ -184,6 +193,8 @@ void set_texture(gw::TextureState& out, const Context& context, std::size_t unit
     out.coord_replace =
         context.profile.extensions.point_sprite && point.sprite && point.coord_replace[unit];
     set_look_up(out, context, object, *target);
+    if (*target == rectangular && context.selection.mode == GL_RENDER)
+        out.matrix = in_rectangle(out.matrix, coordinate_scale(context, unit));
     out.env = word<gw::TexEnv>(s.env_mode);
     out.env_color = s.env_color;
     if (context.profile.extensions.texture_lod) out.lod = levels_of_detail(s, object.parameters);
@@ -337,6 +348,12 @@ double window_depth(double z, const gw::State& state) {
     const double n = state.depth_range.near_value, f = state.depth_range.far_value;
     if (state.clip_control.depth == ClipDepth::ZeroToOne) return z * (f - n) + n;
     return z * ((f - n) / 2) + (f + n) / 2;
+}
+
+dvec2 coordinate_scale(const Context& context, std::size_t unit) {
+    if (enabled_target(context.state.texture.units[unit]) != rectangular) return {1, 1};
+    const TextureImage& image = context.textures.bound[unit][rectangular]->base();
+    return {1.0 / std::max(1, image.width), 1.0 / std::max(1, image.height)};
 }
 
 gw::MoreTextures further_coordinates(const Context& context) {

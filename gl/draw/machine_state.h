@@ -12,10 +12,20 @@ namespace gw::gl {
 
 struct Context;
 
+/// Texture coordinates are scaled for the machine; in feedback they stay OpenGL's.
 gw::State machine_state(const Context& context);
 
 /// The depth 0 .. 1 of z / w.
 double window_depth(double z, const gw::State& state);
+
+/// What makes s and t of a unit's texture 0 .. 1. Those of rectangles count texels; else it is 1.
+dvec2 coordinate_scale(const Context& context, std::size_t unit);
+
+/// A coordinate s or t of a rectangle with q, as the machine's: moved by a quarter of a filter's least
+/// weight, so that rounding leaves it at the texel where it is.
+constexpr double rectangle_coordinate(double texels, double q, double scale) {
+    return (texels + q / 1024) * scale;
+}
 
 /// How units 1 to 3 make texture coordinates, whether they have textures or not.
 gw::MoreTextures further_coordinates(const Context& context);

@@ -53,8 +53,8 @@ std::optional<Attachment> texture_image(Context& context, int dimensions, GLenum
         found->second.target != texture_targets[place->index])
         return set_error(context, GL_INVALID_OPERATION), std::nullopt;
     const int largest = largest_texture(context.profile, place->index);
-    if (level < 0 || level >= int(std::bit_width(unsigned(largest))) || layer < 0 ||
-        layer >= largest)
+    if (!has_level(place->index, level) || level >= int(std::bit_width(unsigned(largest))) ||
+        layer < 0 || layer >= largest)
         return set_error(context, GL_INVALID_VALUE), std::nullopt;
     return Attachment{.texture = found->second.object,
                       .name = texture,

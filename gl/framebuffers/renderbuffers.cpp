@@ -87,7 +87,7 @@ void get_renderbuffer_parameteriv(Context& context, GLenum target, GLenum pname,
 
 void generate_mipmap(Context& context, GLenum target) {
     const auto index = target_index(context.profile, target);
-    if (!index) return set_error(context, GL_INVALID_ENUM);
+    if (!index || *index == rectangular) return set_error(context, GL_INVALID_ENUM);
     begin_change(context);
     TextureObject& object = bound_texture(context, *index);
     update_texels(context, object);

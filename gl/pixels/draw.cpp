@@ -2,6 +2,7 @@
 #include "gl/api/calls.h"
 #include "gl/api/finite.h"
 #include "gl/context/context.h"
+#include "gl/draw/machine_state.h"
 #include "gl/draw/report.h"
 #include "gl/draw/submit.h"
 #include "gl/draw/targets.h"
@@ -26,18 +27,31 @@ int fragment_depth_bits(const Context& context) {
     return bits != 0 ? bits : context.profile.depth_bits;
 }
 
+/// Texture coordinates of a unit as the machine's.
+vec4 machine_texcoord(const Context& context, std::size_t unit, vec4 texcoord) {
+    const dvec2 scale = coordinate_scale(context, unit);
+    if (scale == dvec2(1)) return texcoord;
+    for (int i = 0; i < 2; ++i)
+        texcoord[i] =
+            float(rectangle_coordinate(double(texcoord[i]), double(texcoord.w), scale[i]));
+    return texcoord;
+}
+
 RasterPosition raster_position(const Context& context) {
     const CurrentState::Raster& raster = context.state.current.raster;
+    MoreTexcoords further = raster.further_texcoords;
+    for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
+        further[unit - 1] = machine_texcoord(context, unit, further[unit - 1]);
     return {.x = raster.position.x,
             .y = raster.position.y,
             .depth = quantize(raster.position.z, fragment_depth_bits(context)),
             .color = quantize_color(raster.color, context.profile.color_bits),
-            .texcoord = raster.texcoord,
+            .texcoord = machine_texcoord(context, 0, raster.texcoord),
             .distance = std::max(raster.distance, 0.0),
             .secondary_color =
                 quantize_color(vec4(raster.secondary_color, 0), context.profile.color_bits),
             .fog_coordinate = raster.distance,
-            .more_texcoords = raster.further_texcoords};
+            .more_texcoords = further};
 }
 
 /// A rectangle at the raster position, without its pixels.

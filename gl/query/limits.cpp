@@ -57,6 +57,9 @@ void add_limits(StateVariables& t) {
         return whole(largest_texture(context.profile));
     };
     t[GL_MAX_TEXTURE_UNITS] = [](Context& context) { return whole(unit_count(context.profile)); };
+    t[GL_MAX_RECTANGLE_TEXTURE_SIZE] = [](Context& context) {
+        return whole(largest_texture(context.profile, rectangular));
+    };
     t[GL_MAX_3D_TEXTURE_SIZE] = [](Context& context) {
         return whole(largest_texture(context.profile, three_dimensions));
     };

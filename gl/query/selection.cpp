@@ -92,7 +92,7 @@ GLint render_mode(Context& context, GLenum mode) {
         return set_error(context, GL_INVALID_ENUM), 0;
     if ((mode == GL_SELECT && !s.has_hits) || (mode == GL_FEEDBACK && !s.has_feedback))
         return set_error(context, GL_INVALID_OPERATION), 0;
-    flush_mesh(context);
+    begin_change(context);
     const GLint result = mode_result(context);
     s.mode = mode;
     s.hits_used = s.hit_count = s.feedback_used = 0;

@@ -37,6 +37,7 @@ void add_texture_units(StateVariables& t) {
     };
     add_binding<one_dimension>(t, GL_TEXTURE_BINDING_1D);
     add_binding<two_dimensions>(t, GL_TEXTURE_BINDING_2D);
+    add_binding<rectangular>(t, GL_TEXTURE_BINDING_RECTANGLE);
     add_binding<three_dimensions>(t, GL_TEXTURE_BINDING_3D);
     add_binding<cube>(t, GL_TEXTURE_BINDING_CUBE_MAP);
     t[GL_CURRENT_TEXTURE_COORDS] = [](Context& context) {

@@ -145,7 +145,7 @@ template <class T>
 void get_tex_level(Context& context, GLenum target, GLint level, GLenum pname, T* params) {
     const auto place = place_of(context.profile, target);
     if (!place) return set_error(context, GL_INVALID_ENUM);
-    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    if (!has_level(place->index, level)) return set_error(context, GL_INVALID_VALUE);
     if (pname == GL_TEXTURE_COMPRESSED_IMAGE_SIZE && !level_image(context, *place, level).blocks)
         return set_error(context, GL_INVALID_OPERATION);
     get(context, tex_level_values(context, *place, level, pname), params);
@@ -276,7 +276,7 @@ void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, 
     if (!place || place->is_proxy || (!is_texel_format(format) && !is_depth) ||
         format == GL_COLOR_INDEX)
         return set_error(context, GL_INVALID_ENUM);
-    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    if (!has_level(place->index, level)) return set_error(context, GL_INVALID_VALUE);
     if (const GLenum error = format_error(format, type)) return set_error(context, error);
     TextureObject& object = bound_texture(context, place->index);
     flush_mesh(context);
@@ -298,7 +298,7 @@ void get_tex_image(Context& context, GLenum target, GLint level, GLenum format, 
 void get_compressed_tex_image(Context& context, GLenum target, GLint level, GLvoid* memory) {
     const auto place = place_of(context.profile, target);
     if (!place || place->is_proxy) return set_error(context, GL_INVALID_ENUM);
-    if (level < 0 || level >= level_count) return set_error(context, GL_INVALID_VALUE);
+    if (!has_level(place->index, level)) return set_error(context, GL_INVALID_VALUE);
     const auto blocks = level_image(context, *place, level).blocks;
     if (!blocks) return set_error(context, GL_INVALID_OPERATION);
     std::byte* const at = values_memory(context, context.client.pack, blocks->size(), 1, memory);

@@ -286,8 +286,8 @@ struct CombineState {
 /// Levels of detail are moved by at most so many.
 inline constexpr float max_lod_bias = 16;
 /// The texture targets by their precedence, the last first.
-inline constexpr std::array<GLenum, 4> texture_targets{GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D,
-                                                       GL_TEXTURE_CUBE_MAP};
+inline constexpr std::array<GLenum, 5> texture_targets{
+    GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP};
 inline constexpr std::size_t texture_target_count = texture_targets.size();
 /// One texture unit. [GL13] table 6.17
 struct TextureUnit {
@@ -302,7 +302,9 @@ struct TextureUnit {
                                    {{.object_plane = {1, 0, 0, 0}, .eye_plane = {1, 0, 0, 0}},
                                     {.object_plane = {0, 1, 0, 0}, .eye_plane = {0, 1, 0, 0}}}};
 
-    bool is_enabled() const { return enable[0] || enable[1] || enable[2] || enable[3]; }
+    bool is_enabled() const {
+        return enable[0] || enable[1] || enable[2] || enable[3] || enable[4];
+    }
     bool generates() const {
         return gen[0].enable || gen[1].enable || gen[2].enable || gen[3].enable;
     }

@@ -160,6 +160,11 @@ std::optional<std::size_t> target_index(const Profile& profile, GLenum target) {
 std::shared_ptr<TextureObject> new_texture(std::size_t target) {
     auto object = std::make_shared<TextureObject>();
     if (target == cube) object->further_faces.resize(5);
+    if (target == rectangular) {
+        TextureParameters& p = object->parameters;
+        p.min_filter = GL_LINEAR;
+        p.wrap_s = p.wrap_t = p.wrap_r = GL_CLAMP_TO_EDGE;
+    }
     return object;
 }
 

@@ -20,13 +20,19 @@ namespace gw::gl {
 /// max_texture_side = 2^13.
 inline constexpr int level_count = 14;
 /// The indices of texture_targets.
-inline constexpr std::size_t one_dimension = 0, two_dimensions = 1, three_dimensions = 2, cube = 3;
+inline constexpr std::size_t one_dimension = 0, two_dimensions = 1, rectangular = 2,
+                             three_dimensions = 3, cube = 4;
 /// What a profile needs for each target; null: nothing.
 inline constexpr std::array<bool Extensions::*, texture_target_count> texture_target_features{
-    nullptr, nullptr, &Extensions::texture_3d, &Extensions::texture_cube};
+    nullptr, nullptr, &Extensions::texture_sizes, &Extensions::texture_3d,
+    &Extensions::texture_cube};
 constexpr bool has_target(const Profile& p, std::size_t target) {
     const auto feature = texture_target_features[target];
     return feature == nullptr || p.extensions.*feature;
+}
+/// Whether images of a target have this level: rectangles have one. GL_ARB_texture_rectangle
+constexpr bool has_level(std::size_t target, int level) {
+    return level >= 0 && level < (target == rectangular ? 1 : level_count);
 }
 /// The largest side of a profile's textures.
 constexpr int largest_texture(const Profile& p, std::size_t target = two_dimensions) {

@@ -20,9 +20,11 @@ inline std::optional<ImagePlace> place_of(const Profile& profile, GLenum target)
         switch (target) {
             case GL_TEXTURE_1D: return ImagePlace{one_dimension};
             case GL_TEXTURE_2D: return ImagePlace{two_dimensions};
+            case GL_TEXTURE_RECTANGLE: return ImagePlace{rectangular};
             case GL_TEXTURE_3D: return ImagePlace{three_dimensions};
             case GL_PROXY_TEXTURE_1D: return ImagePlace{one_dimension, 0, true};
             case GL_PROXY_TEXTURE_2D: return ImagePlace{two_dimensions, 0, true};
+            case GL_PROXY_TEXTURE_RECTANGLE: return ImagePlace{rectangular, 0, true};
             case GL_PROXY_TEXTURE_3D: return ImagePlace{three_dimensions, 0, true};
             case GL_PROXY_TEXTURE_CUBE_MAP: return ImagePlace{cube, 0, true};
         }

@@ -13,9 +13,9 @@ namespace gw::gl {
 
 namespace {
 
-bool is_min_filter(GLenum f) {
-    return f == GL_NEAREST || f == GL_LINEAR ||
-           (f >= GL_NEAREST_MIPMAP_NEAREST && f <= GL_LINEAR_MIPMAP_LINEAR);
+bool is_min_filter(GLenum f, std::size_t target) {
+    const bool uses_levels = f >= GL_NEAREST_MIPMAP_NEAREST && f <= GL_LINEAR_MIPMAP_LINEAR;
+    return f == GL_NEAREST || f == GL_LINEAR || (uses_levels && target != rectangular);
 }
 
 vec4 clamped_color(const Params& p) {
@@ -24,10 +24,12 @@ vec4 clamped_color(const Params& p) {
     return out;
 }
 
-void set_wrap(Context& context, GLenum& field, GLenum mode) {
+void set_wrap(Context& context, std::size_t target, GLenum& field, GLenum mode) {
     const bool has_more = context.profile.extensions.texture_wraps;
-    const bool known = mode == GL_CLAMP || mode == GL_REPEAT || mode == GL_CLAMP_TO_EDGE ||
-                       (has_more && (mode == GL_CLAMP_TO_BORDER || mode == GL_MIRRORED_REPEAT));
+    const bool repeats = mode == GL_REPEAT || (has_more && mode == GL_MIRRORED_REPEAT);
+    const bool known = mode == GL_CLAMP || mode == GL_CLAMP_TO_EDGE ||
+                       (has_more && mode == GL_CLAMP_TO_BORDER) ||
+                       (repeats && target != rectangular);
     if (!known) return set_error(context, GL_INVALID_ENUM);
     change(context, field, mode);
 }
@@ -51,6 +53,8 @@ void set_part(Context& context, std::size_t target, T TextureParameters::*which,
 
 void set_level(Context& context, std::size_t target, int TextureParameters::*which, double level) {
     if (level < 0) return set_error(context, GL_INVALID_VALUE);
+    if (which == &TextureParameters::base_level && target == rectangular && level != 0)
+        return set_error(context, GL_INVALID_OPERATION);
     set_part(context, target, which, int(std::min(level, 1000.0)));
 }
 
@@ -107,15 +111,15 @@ void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& 
     const GLenum token = params.token();
     switch (pname) {
         case GL_TEXTURE_MIN_FILTER:
-            return set_filter(context, s.min_filter, token, is_min_filter(token));
+            return set_filter(context, s.min_filter, token, is_min_filter(token, *index));
         case GL_TEXTURE_MAG_FILTER:
             return set_filter(context, s.mag_filter, token,
                               token == GL_NEAREST || token == GL_LINEAR);
-        case GL_TEXTURE_WRAP_S: return set_wrap(context, s.wrap_s, token);
-        case GL_TEXTURE_WRAP_T: return set_wrap(context, s.wrap_t, token);
+        case GL_TEXTURE_WRAP_S: return set_wrap(context, *index, s.wrap_s, token);
+        case GL_TEXTURE_WRAP_T: return set_wrap(context, *index, s.wrap_t, token);
         case GL_TEXTURE_WRAP_R:
             if (!context.profile.extensions.texture_3d) return set_error(context, GL_INVALID_ENUM);
-            return set_wrap(context, s.wrap_r, token);
+            return set_wrap(context, *index, s.wrap_r, token);
         case GL_DEPTH_TEXTURE_MODE:
         case GL_TEXTURE_COMPARE_MODE:
         case GL_TEXTURE_COMPARE_FUNC:
@@ -126,7 +130,11 @@ void tex_parameter(Context& context, GLenum target, GLenum pname, const Params& 
             if (params.count < 4) return set_error(context, GL_INVALID_ENUM);
             return change(context, s.border_color, clamped_color(params));
         case GL_TEXTURE_PRIORITY: s.priority = clamped(float(params[0]), 0.0f, 1.0f); return;
-        case GL_GENERATE_MIPMAP: s.generate_mipmap = params[0] != 0; return;
+        case GL_GENERATE_MIPMAP:
+            if (*index == rectangular && params[0] != 0)
+                return set_error(context, GL_INVALID_VALUE);
+            s.generate_mipmap = params[0] != 0;
+            return;
     }
     if (!context.profile.extensions.texture_lod) return set_error(context, GL_INVALID_ENUM);
     switch (pname) {

@@ -107,7 +107,7 @@ void compressed_tex_image_2d(Context& context, GLenum target, GLint level, GLenu
                              const HostImage& blocks) {
     const auto place = place_of(context.profile, target);
     const BlockFormat* const format = block_format(internal_format);
-    if (!place || dimensions_of(*place) != 2 || format == nullptr)
+    if (!place || dimensions_of(*place) != 2 || place->index == rectangular || format == nullptr)
         return set_error(context, GL_INVALID_ENUM);
     const ImageRequest r{level, GLint(internal_format), width, height, border};
     const GLenum error = request_error(context, r, *place);

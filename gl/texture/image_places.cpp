@@ -22,11 +22,13 @@ GLenum illegal(const Context& context, const ImageRequest& r, std::size_t target
     const bool has_format = base_format(r.internal_format) != 0 &&
                             (!is_srgb(r.internal_format) || has.texture_srgb) &&
                             (!is_depths(r.internal_format) || has.texture_depth);
-    if (!has_format || r.level < 0 || r.level >= level_count || (r.border != 0 && r.border != 1) ||
+    const int most_border = target == rectangular ? 0 : 1;
+    if (!has_format || !has_level(target, r.level) || r.border < 0 || r.border > most_border ||
         r.width < 0 || r.height < 0 || r.depth < 0)
         return GL_INVALID_VALUE;
     // [GL14] 3.8.1
-    const bool is_flat = target == one_dimension || target == two_dimensions;
+    const bool is_flat =
+        target == one_dimension || target == two_dimensions || target == rectangular;
     return is_depths(r.internal_format) && !is_flat ? GL_INVALID_OPERATION : GL_NO_ERROR;
 }
 
@@ -99,8 +101,7 @@ std::optional<ReplacedPart> replaced_part(Context& context, GLenum target, int d
     const auto place = place_of(context.profile, target);
     if (!place || place->is_proxy || dimensions_of(*place) != dimensions)
         return set_error(context, GL_INVALID_ENUM), std::nullopt;
-    if (level < 0 || level >= level_count)
-        return set_error(context, GL_INVALID_VALUE), std::nullopt;
+    if (!has_level(place->index, level)) return set_error(context, GL_INVALID_VALUE), std::nullopt;
     TextureObject& object = bound_texture(context, place->index);
     if (!object.rendered.empty()) {
         flush_mesh(context);

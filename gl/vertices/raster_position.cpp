@@ -12,6 +12,7 @@
 #include "gw/stages/vertex.h"
 
 #include <cmath>
+#include <optional>
 
 namespace gw::gl {
 
@@ -74,7 +75,13 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
                    std::isfinite(float(w));
     if (!raster.valid) return;
     update_machine_state(context);
-    const gw::State& state = context.translated.state;
+    // The machine's coordinates of a rectangle are scaled; the raster position's count texels.
+    std::optional<gw::State> in_texels;
+    if (coordinate_scale(context, 0) != dvec2(1)) {
+        in_texels = context.translated.state;
+        in_texels->texture.matrix = context.matrices.texture[0].top();
+    }
+    const gw::State& state = in_texels ? *in_texels : context.translated.state;
     const AssembledVertex values = current_vertex(context.state.current);
     MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
     point.primitive = Primitive::Points;

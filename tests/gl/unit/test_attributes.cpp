@@ -146,7 +146,8 @@ void set_eval() {
 void set_list() { glListBase(77); }
 void set_texture() {
     const float values[] = {0.25f, 0.5f, 0.75f, 0.5f};
-    for (const GLenum target : {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
+    for (const GLenum target :
+         {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_RECTANGLE, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP}) {
         glTexParameteri(target, GL_TEXTURE_WRAP_R, GL_CLAMP);
         glTexParameteri(target, GL_DEPTH_TEXTURE_MODE, GL_ALPHA);
         glTexParameteri(target, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_R_TO_TEXTURE);
