@@ -168,7 +168,9 @@ it.each([
   );
   const eye = (await (await thePage().$('.stack'))!.boundingBox())!;
   const second = (await (await thePage().$('.second'))!.boundingBox())!;
-  expect(eye.width).toBeGreaterThan(320);
+  expect(eye.width).toBeGreaterThan(0.28 * width);
+  const blame = (await (await thePage().$('.blame button'))!.boundingBox())!;
+  expect(blame.y + blame.height).toBeLessThan(height);
   expect(second.width).toBeLessThan(1.5 * eye.width);
 });
 
