@@ -13,10 +13,12 @@ it.each(exhibits)('axe-core finds nothing in %s', async (id) => {
   expect(await barriersOf(thePage())).toEqual([]);
 });
 
-it('shows step, sentence, list and both views on 1280x720, of the ends of stories too', async () => {
-  const ends = stories.map(({ id }) => `story=${id}&step=999999`);
-  for (const address of ['story=first', ...ends, 'exhibit=hidden&scene=hidden/cycle.toml'])
+const ends = stories.map(({ id }) => `story=${id}&step=999999`);
+it.each(['story=first', ...ends, 'exhibit=hidden&scene=hidden/cycle.toml'])(
+  'shows step, sentence, list and both views of %s on 1280x720',
+  async (address) => {
     for (const look of ['lang=en', 'lang=ja', 'lang=en&projector=1', 'lang=ja&projector=1']) {
+      await thePage().goto('about:blank'); // what was shown before fits, too
       await open(`#${address}&${look}`);
       await thePage().waitForSelector('.stack canvas');
       await thePage().waitForFunction(
@@ -27,6 +29,7 @@ it('shows step, sentence, list and both views on 1280x720, of the ends of storie
         { timeout: 20_000 },
       );
       const { width } = (await (await thePage().$('.stack'))!.boundingBox())!;
-      expect(width, `${address} ${look}`).toBeGreaterThan(430);
+      expect(width, look).toBeGreaterThan(430);
     }
-});
+  },
+);
