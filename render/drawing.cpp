@@ -6,6 +6,7 @@
 #include "multipass/steps/schedule.h"
 #include "render/options.h"
 #include "scene/toml/read_profile.h"
+#include "scene/validate/rules.h"
 
 #include <fmt/format.h>
 
@@ -88,12 +89,20 @@ std::unique_ptr<Machine> make_machine(const Request& request, const Profile& pro
                : make_fast(profile, width, height, {.threads = request.threads});
 }
 
+scene::Camera with_options(const scene::Camera& camera, const scene::CameraOverrides& options) {
+    const scene::Camera out = scene::override_camera(camera, options);
+    const auto fault = scene::fault_of(out);
+    // The view may go along an up that nobody asked for: another one stands in.
+    if (fault && (options.up || out.eye == out.at))
+        throw OptionError(
+            fmt::format("{} is {}; expected {}", fault->field.file, fault->is, fault->expected));
+    return out;
+}
+
 scene::Scene scene_for(const Request& request, SceneInput input) {
-    if (request.camera.eye && request.camera.eye == request.camera.at)
-        throw OptionError("at is the eye; expected another point");
     scene::Scene scene = std::move(input.scene);
     scene::add_defaults(scene, request.size.width, request.size.height);
-    scene.camera = scene::override_camera(*scene.camera, camera_in(request, input.origin));
+    scene.camera = with_options(*scene.camera, camera_in(request, input.origin));
     for (scene::Light& light : scene.lights)
         if (request.shadow && light.shadow != scene::Shadow::None) light.shadow = *request.shadow;
     return scene;

@@ -40,8 +40,12 @@ struct SceneInput {
     std::vector<scene::Film> films{};  ///< scene::SceneFile::films
 };
 
+/// The camera with the options' values. Throws OptionError if eye and at are one point, or the
+/// given up is 0 or along the view.
+scene::Camera with_options(const scene::Camera& camera, const scene::CameraOverrides& options);
+
 /// The scene as the request wants it: a camera and a light are added if it lacks them, its camera
-/// and shadows changed. Throws OptionError if eye and at are one point.
+/// and shadows changed. Throws OptionError as with_options does.
 scene::Scene scene_for(const Request& request, SceneInput input);
 
 /// That scene with its profile. Its passes replace those of the renderer multipass only. Throws

@@ -70,8 +70,8 @@ void fit_to_film(Drawing& drawing, const scene::Film& film) {
         scene::extend(all, box.high);
     }
     const Size size = drawing.request.size;
-    drawing.scene.camera = scene::override_camera(scene::fit_camera(all, size.width, size.height),
-                                                  drawing.request.camera);
+    drawing.scene.camera = render::with_options(scene::fit_camera(all, size.width, size.height),
+                                                drawing.request.camera);
 }
 
 int first_missing(const FilmRecord& record, const FrameFiles& files,

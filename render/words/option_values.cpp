@@ -2,6 +2,7 @@
 
 #include "gw/machine.h"
 #include "scene/text/suggest.h"
+#include "scene/validate/limits.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +80,8 @@ dvec3 point_from(const std::string& option, const std::string& word) {
             comma == rest.npos ? std::nullopt : parse<double>(rest.substr(0, comma));
         if (!number || !std::isfinite(*number))
             throw OptionError(option, word, "X,Y,Z, such as 0,1.5,-4");
+        if (!scene::placeable.contains(*number))
+            throw OptionError(option, word, scene::range_text("X,Y,Z", scene::placeable));
         point[i] = *number;
         if (i < 2) rest.remove_prefix(comma + 1);
     }

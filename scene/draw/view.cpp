@@ -63,12 +63,14 @@ DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) 
     return {nearest, farthest};
 }
 
+bool is_along(const dvec3& view, const dvec3& up) {
+    const dvec3 forward = normalized(view);
+    return !(length(cross3(forward, up)) > 1e-9 * length(up));
+}
+
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up) {
     const dvec3 forward = normalized(at - eye);
-    dvec3 right = cross3(forward, up);
-    const double upright = length(up);
-    if (!(length(right) > 1e-9 * upright)) right = cross3(forward, any_up(forward));
-    right = normalized(right);
+    const dvec3 right = normalized(cross3(forward, is_along(forward, up) ? any_up(forward) : up));
     const dvec3 above = cross3(right, forward);
     dmat4 m(1);
     for (int k = 0; k < 3; ++k) m[k] = dvec4(right[k], above[k], -forward[k], 0);

@@ -57,6 +57,9 @@ struct DepthInterval {
 };
 DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world);
 
+/// Whether `up` is parallel to the view but for rounding, or 0.
+bool is_along(const dvec3& view, const dvec3& up);
+
 /// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane (any up parallel to
 /// the line of sight is replaced by an axis that is not).
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up);

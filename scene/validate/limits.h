@@ -36,6 +36,7 @@ std::string range_text(std::string_view what, Range range);
 inline constexpr Range not_negative{0, std::numeric_limits<double>::max()};
 /// Coordinates far beyond any scene; products of three still fit a double, squares a float32.
 inline constexpr Range placeable{-1e18, 1e18};
+inline constexpr Range distances{0, 1e18};
 /// Of one object's pixmap, and of the scene's without a size.
 inline constexpr Range pixmap_sides{1, 4096}, texels_per_unit{1e-9, 1e9};
 
@@ -55,19 +56,19 @@ void visit_camera(Camera& camera, const Visit& visit) {
     visit.place("at", camera.at);
     visit.place("up", camera.up);
     visit.number("fov", camera.fov, {0.1, 179});
-    visit.number({"near", "near_plane"}, camera.near_plane, not_negative);
-    visit.number({"far", "far_plane"}, camera.far_plane, not_negative);
-    visit.number({"ortho", "ortho_height"}, camera.ortho_height, not_negative);
-    visit.number("aperture", camera.aperture, not_negative);
-    visit.number("focus", camera.focus, not_negative);
+    visit.number({"near", "near_plane"}, camera.near_plane, distances);
+    visit.number({"far", "far_plane"}, camera.far_plane, distances);
+    visit.number({"ortho", "ortho_height"}, camera.ortho_height, distances);
+    visit.number("aperture", camera.aperture, distances);
+    visit.number("focus", camera.focus, distances);
 }
 
 template <class Fog, class Visit>
 void visit_fog(Fog& fog, const Visit& visit) {
     visit.color("color", fog.color);
     visit.number("density", fog.density, not_negative);
-    visit.number("start", fog.start, not_negative);
-    visit.number("end", fog.end, not_negative);
+    visit.number("start", fog.start, distances);
+    visit.number("end", fog.end, distances);
 }
 
 template <class Light, class Visit>

@@ -1,6 +1,7 @@
 #include "scene/validate/rules.h"
 
-#include <glm/geometric.hpp>
+#include "scene/draw/view.h"
+
 #include <glm/matrix.hpp>
 
 namespace gw::scene {
@@ -14,8 +15,7 @@ std::optional<Fault> fault_of(const Camera& camera) {
     const dvec3 view = camera.at - camera.eye;
     if (view == dvec3(0)) return Fault{"at", "the eye", "another point"};
     if (camera.up == dvec3(0)) return Fault{"up", "0", any_direction};
-    if (glm::cross(view, camera.up) == dvec3(0))
-        return Fault{"up", "along the view", "another direction"};
+    if (is_along(view, camera.up)) return Fault{"up", "along the view", "another direction"};
     if (camera.aperture > 0 && camera.ortho_height > 0)
         return Fault{"aperture", "above 0 beside ortho", "a perspective camera"};
     if (camera.far_plane > 0 && camera.far_plane <= camera.near_plane)

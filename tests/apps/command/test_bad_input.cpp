@@ -151,6 +151,14 @@ TEST_F(BadOption, Numbers) {
     }
     expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", "1,2,3", "--at", "1,2,3"},
                    {"--at is the eye; expected another point"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--up", "0,0,0"},
+                   {"--up is 0; expected a direction that is not 0"});
+    expect_refused(2,
+                   {"render", "quad.obj", "-o", "a.png", "--eye", "0.1,0.7,0.3", "--at", "0,0,0",
+                    "--up", "-0.3,-2.1,-0.9"},
+                   {"--up is along the view; expected another direction"});
+    expect_refused(2, {"render", "quad.obj", "-o", "a.png", "--eye", "1e19,0,0"},
+                   {"--eye", "expected X,Y,Z from -1e+18 to 1e+18"});
 }
 
 TEST_F(BadOption, Names) {

@@ -98,7 +98,8 @@ TEST_F(TomlError, WrongTypes) {
 TEST_F(TomlError, NumbersOutOfRange) {
     EXPECT_EQ(camera("fov = 180"),
               "s.toml:2: camera.fov is 180; expected a number from 0.1 to 179");
-    EXPECT_EQ(camera("near = -1"), "s.toml:2: camera.near is -1; expected a number from 0");
+    EXPECT_EQ(camera("near = -1"),
+              "s.toml:2: camera.near is -1; expected a number from 0 to 1e+18");
     EXPECT_EQ(camera("eye = [0, nan, 0]"), "s.toml:2: camera.eye is nan; expected a number");
     EXPECT_EQ(camera("eye = [0, inf, 0]"), "s.toml:2: camera.eye is inf; expected a number");
     EXPECT_EQ(material("Kd = [0, -0.5, 0]"),
@@ -129,6 +130,8 @@ TEST_F(TomlError, Cameras) {
     EXPECT_EQ(camera("eye = [0, 0, 0]"), "s.toml:1: camera.at is the eye; expected another point");
     EXPECT_EQ(camera("up = [0, 0, 2]"),
               "s.toml:2: camera.up is along the view; expected another direction");
+    EXPECT_EQ(camera("near = 1e300"),
+              "s.toml:2: camera.near is 1e300; expected a number from 0 to 1e+18");
     EXPECT_EQ(camera("near = 2\nfar = 1"),
               "s.toml:3: camera.far is not beyond near; expected near < far");
 }
