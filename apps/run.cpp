@@ -56,16 +56,22 @@ bool is_blank(const std::string& value) {
     return value.find_first_not_of(" \t\n\r\v\f") == value.npos;
 }
 
-/// An option that was given without a value, as by an unset variable of a shell. It must not pass
-/// for an absent option. The words for a program of gw gl are the program's.
+/// An option that was given without a value, as by an unset variable of a shell, must not pass for
+/// an absent one. Nor must '-', which means standard output elsewhere, become a file of that name.
+/// The words for a program of gw gl are the program's.
 void check_values(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         const std::vector<std::string>& values = option->results();
         const std::size_t ours = option->get_name() == "PROGRAM" ? 1 : values.size();
-        for (std::size_t i = 0; i < std::min(ours, values.size()); ++i)
+        for (std::size_t i = 0; i < std::min(ours, values.size()); ++i) {
             if (is_blank(values[i]))
                 throw UsageError(option->get_name() + " is empty; expected " +
                                  option->get_type_name());
+            if (values[i] == "-")
+                throw UsageError(option->get_name() +
+                                 " is '-', no standard input or output here; " + "expected " +
+                                 option->get_type_name());
+        }
     }
     for (const CLI::App* inner : command.get_subcommands()) check_values(*inner);
 }

@@ -1,5 +1,5 @@
 // Claim: no option takes an empty word, as an unset variable of a shell gives it, for an option that
-// was not given. The options are those of each command's help.
+// was not given, nor '-' for a file of that name. The options are those of each command's help.
 #include "tests/apps/support/command_test.h"
 
 #include <regex>
@@ -65,7 +65,7 @@ protected:
             const std::string option = option_with_value(line);
             if (option.empty()) continue;
             // Blanks are one rule for all options: a command's first stands for the others.
-            std::vector<std::string> values{""};
+            std::vector<std::string> values{"", "-"};
             if (tried == 0) values.insert(values.end(), {" ", "\t "});
             for (const std::string& value : values) {
                 words = command;
@@ -95,6 +95,7 @@ TEST_F(EmptyValues, AreUsageErrorsOfEveryOptionOfEveryCommand) {
 
 TEST_F(EmptyValues, AreLeftToTheProgramThatIsRun) {
     EXPECT_EQ(gw({"gl", "--", "test", "", "=", ""}).code, 0);
+    EXPECT_EQ(gw({"gl", "--", "test", "-", "!=", ""}).code, 0);
     expect_refused(2, {"gl", "--", ""}, {"PROGRAM"});
 }
 
