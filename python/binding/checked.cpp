@@ -1,15 +1,32 @@
 #include "python/binding/checked.h"
 
 #include "gw/error.h"
+#include "scene/text/number.h"
 #include "scene/validate/check.h"
+#include "scene/validate/limits.h"
 
-#include <fmt/format.h>
+#include <cmath>
 
 namespace gw::python {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, double value, const char* what,
+                         scene::Range range) {
+    throw Error(name + ": " + scene::number_text(value) + "; expected " +
+                scene::range_text(what, range));
+}
+
+}  // namespace
 
 void check_range(const std::string& name, double value, double low, double high) {
-    if (!(value >= low && value <= high))
-        throw Error(fmt::format("{}: {:.9g}; expected {:.9g} .. {:.9g}", name, value, low, high));
+    const scene::Range range{low, high};
+    if (!range.contains(value)) refuse(name, value, "a number", range);
+}
+
+void check_whole(const std::string& name, double value, double low, double high) {
+    const scene::Range range{low, high};
+    if (!range.contains(value) || value != std::floor(value))
+        refuse(name, value, "a whole number", range);
 }
 
 SceneInView::SceneInView(const scene::Scene& given, const std::optional<scene::Camera>& camera,

@@ -11,10 +11,12 @@
 
 namespace gw::python {
 
-/// Throws Error "samples: 0; expected 1 .. 32768". Not a number is outside every range.
+/// Throws Error "patch: 0; expected a whole number from 1 to 4096", in the words of scene files. Not
+/// a number is outside every range.
 void check_range(const std::string& name, double value, double low, double high);
+void check_whole(const std::string& name, double value, double low, double high);
 /// 0: all.
-inline void check_threads(int threads) { check_range("threads", threads, 0, 1024); }
+inline void check_threads(int threads) { check_whole("threads", threads, 0, 1024); }
 
 /// A scene in view, as every renderer needs it: defaults added, the camera chosen.
 struct SceneInView {

@@ -4,7 +4,8 @@
 #include "gw/error.h"
 #include "gw/machine.h"
 #include "image/output/output_file.h"
-#include "python/binding/casters.h"
+#include "image/write.h"
+#include "python/binding/arrays.h"
 #include "python/binding/interpreter/running.h"
 #include "python/binding/interpreter/sealed.h"
 
@@ -12,6 +13,23 @@
 #include <stdexcept>
 
 namespace py = pybind11;
+
+namespace {
+
+/// Rows from the bottom, grey or R, G, B.
+void write_picture(const std::filesystem::path& file,
+                   const gw::python::Input<std::uint16_t>& pixels, int bits) {
+    if (pixels.ndim() != 2 && (pixels.ndim() != 3 || pixels.shape(2) != 3))
+        throw gw::Error("pixels: an array of shape " + gw::python::shape_text(pixels) +
+                        "; expected (height, width) or (height, width, 3)");
+    gw::image::write_picture(file, {.width = int(pixels.shape(1)),
+                                    .height = int(pixels.shape(0)),
+                                    .channels = pixels.ndim() == 2 ? 1 : 3,
+                                    .bits = bits,
+                                    .values = {pixels.data(), pixels.data() + pixels.size()}});
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_gw, module) {
     module.doc() =
@@ -53,6 +71,8 @@ PYBIND11_MODULE(_gw, module) {
         py::arg("file"), py::arg("bytes"),
         "Writes a whole file. It appears complete or not at all, keeps its owner and mode, and a "
         "link is followed.");
+    module.def("write_picture", &write_picture, py::arg("file"), py::arg("pixels"), py::arg("bits"),
+               "Writes a picture's rows, the lowest first, in the format of the file's extension.");
     gw::python::seal_classes(module);
     gw::python::end_work_with_interpreter();
 }

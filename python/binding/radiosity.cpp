@@ -29,7 +29,7 @@ public:
         : scene_(scene), options_{.texels_per_unit = texels_per_unit, .patch = patch} {
         scene::check_scene(scene);
         check_threads(threads);
-        check_range("patch", patch, 1, 4096);
+        check_whole("patch", patch, 1, 4096);
         check_range("texels_per_unit", texels_per_unit, 0, 1e9);
         rd::SolverOptions options;
         options.form_factors.hemicube = hemicube;
@@ -121,7 +121,7 @@ public:
     py::dict form_factors(std::int64_t patch) {
         rd::Row row = cancelable(turn_, cancel_, [&] {
             const rd::PixmapModel& model = solver_->model();
-            check_range("patch", double(patch), 0, double(model.patches.size()) - 1);
+            check_whole("patch", double(patch), 0, double(model.patches.size()) - 1);
             return rd::FormFactors(model, form_factors_).from_patch(std::size_t(patch));
         });
         py::dict out;

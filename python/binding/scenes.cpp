@@ -49,6 +49,11 @@ std::uint32_t next_polygon(const Scene& scene) {
 void add_object(Scene& scene, const std::string& name, const Mesh& mesh,
                 const scene::Material& material, const std::optional<dmat4>& world_from_object,
                 bool casts_shadow) {
+    if (!mesh.data().colors.empty())
+        warn(
+            {fmt::format("object '{}': colors of its mesh are not drawn; expected a texture "
+                         "(map_Kd)",
+                         name)});
     std::uint32_t next = next_polygon(scene);
     scene::Object object;
     object.name = name;

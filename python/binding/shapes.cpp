@@ -18,12 +18,10 @@ constexpr double most_triangles = 1 << 25;
 std::shared_ptr<Mesh> tessellated(const scene::Shape& shape, const std::vector<double>& values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const scene::ShapeParameter& parameter = shape.parameters[i];
-        const std::string name = shape.name + ", " + parameter.name;
-        check_range(name, values[i], parameter.low, parameter.high);
-        if (parameter.integer && values[i] != double(int(values[i])))
-            throw Error(name + ": not whole; expected a whole number");
+        const auto check = parameter.integer ? check_whole : check_range;
+        check(shape.name + ", " + parameter.name, values[i], parameter.low, parameter.high);
     }
-    check_range(shape.name + ", triangles", shape.triangles(values), 0, most_triangles);
+    check_whole(shape.name + ", triangles", shape.triangles(values), 0, most_triangles);
     return std::const_pointer_cast<Mesh>(make_mesh(shape.make(values)));
 }
 

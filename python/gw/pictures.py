@@ -1,4 +1,4 @@
-"""Arrays as PNG pictures, in files and in notebooks. Values are not changed."""
+"""Arrays as pictures, in files and in notebooks. Values are not changed."""
 from __future__ import annotations
 
 import os
@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._gw import Error, write_file
+from ._gw import Error, write_file, write_picture
 
 
 class Picture:
@@ -21,7 +21,7 @@ class Picture:
 
     def png(self) -> bytes:
         """The bytes of a PNG file."""
-        pixels = self.pixels.repeat(self.zoom, 0).repeat(self.zoom, 1)
+        pixels = self._zoomed()
         height, width = pixels.shape[:2]
         wide = pixels.dtype.itemsize == 2
         kind = 0 if pixels.ndim == 2 else 2
@@ -38,8 +38,14 @@ class Picture:
         )
 
     def save(self, file: str | os.PathLike[str]) -> None:
-        """Writes a PNG file, whole or not at all."""
-        write_file(file, self.png())
+        """Writes a file, whole or not at all, in the format of its extension, as gw render does."""
+        if os.fsdecode(file).lower().endswith(".png"):
+            write_file(file, self.png())
+        else:
+            write_picture(file, self._zoomed()[::-1], 8 * self.pixels.dtype.itemsize)
+
+    def _zoomed(self) -> NDArray[Any]:
+        return self.pixels.repeat(self.zoom, 0).repeat(self.zoom, 1)
 
     def _repr_png_(self) -> bytes:
         return self.png()

@@ -56,6 +56,21 @@ def test_rows_count_from_the_bottom():
     assert gw.picture(machine.color).pixels[1, 1].tolist() == [9, 8, 7]
 
 
+@pytest.mark.parametrize("name, begins", [
+    ("a.png", b"\x89PNG"), ("a.PNG", b"\x89PNG"), ("a.jpg", b"\xff\xd8\xff"), ("a.ppm", b"P6"),
+])
+def test_a_picture_is_saved_in_the_format_of_its_extension(name, begins, tmp_path):
+    plane = np.zeros((2, 3, 4), np.uint8)
+    plane[0, 0, :3] = 1, 2, 3
+    gw.picture(plane).save(tmp_path / name)
+    written = (tmp_path / name).read_bytes()
+    assert written.startswith(begins)
+    if name == "a.ppm":
+        assert written.endswith(bytes(3 * 3) + bytes([1, 2, 3]) + bytes(3 * 2))
+    with pytest.raises(gw.Error, match="no picture format has the extension .xyz; expected .png"):
+        gw.picture(plane).save(str(tmp_path / "a.xyz"))
+
+
 def test_every_command_runs():
     machine = gw.Machine("opengl", 16, 16, record=True)
     commands = gw.CommandList()

@@ -114,6 +114,12 @@ def test_positions_that_lose_digits_are_named():
         gw.Mesh("Quads", square + [431000.1, 5411000.2, 0])
 
 
+def test_colors_of_a_mesh_are_named_where_a_material_colours_it():
+    corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    with pytest.warns(UserWarning, match="object 'scan': colors of its mesh are not drawn; expected"):
+        gw.Scene().add("scan", gw.Mesh("Triangles", corners, colors=np.ones((3, 4))))
+
+
 def test_bytes_are_colours_from_0_to_255():
     corners = np.zeros((3, 3))
     colors = gw.Mesh("Triangles", corners, colors=np.full((3, 4), 128, np.uint8)).colors

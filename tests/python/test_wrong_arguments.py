@@ -68,8 +68,10 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
 
 
 @pytest.mark.parametrize("wrong, message", [
-    (lambda: gw.make_sphere(slices=-1), "sphere, slices: -1; expected 3 .. 4096"),
-    (lambda: gw.make_icosphere(divisions=30), "icosphere, divisions: 30; expected 0 .. 9"),
+    (lambda: gw.make_sphere(slices=-1),
+     "sphere, slices: -1; expected a whole number from 3 to 4096"),
+    (lambda: gw.make_icosphere(divisions=30),
+     "icosphere, divisions: 30; expected a whole number from 0 to 9"),
     (lambda: gw.make_box((1, float("nan"), 1)), "box, height: nan"),
     (lambda: gw.make_shape("kettle"), "no shape 'kettle'; expected one of bottle"),
     (lambda: gw.make_shape("vase", slice=3), "vase has no 'slice'; expected slices, segments"),
@@ -77,7 +79,7 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.Machine("indigo", 8, 8), "unknown profile 'indigo'; expected vgx, reality"),
     (lambda: gw.render(scene_with(), 8, 8, profile="vgx,bits=3"), "^[^\\n]*bits[^\\n]*$"),
     (lambda: gw.Mesh("Squares", [[0, 0, 0]]), "Primitive has no 'Squares'; expected Points, Lines"),
-    (lambda: gw.Machine(threads=10**6), "threads: 1000000; expected 0 .. 1024"),
+    (lambda: gw.Machine(threads=10**6), "threads: 1000000; expected a whole number from 0 to 1024"),
     (lambda: gw.Renderer(scene_with(), samples=0), "samples '0': expected a whole number, 1..32768"),
     (lambda: gw.Renderer(scene_with(), depth=-1), "depth '-1': expected a whole number, 1..64"),
     (lambda: gw.Radiosity(scene_with(), texels_per_unit=float("nan")), "texels_per_unit: nan"),
