@@ -4,6 +4,7 @@
 #include "scene/text/suggest.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace gw::scene {
@@ -68,12 +69,21 @@ void warn_invisible(const Scene& scene, const std::string& file, Warnings& warni
                              "' is invisible (d 0, or Tr 1); expected d above 0");
 }
 
-MaterialNames::MaterialNames(const std::vector<Material>& list, std::string missing)
-    : list_(&list), missing_(std::move(missing)) {
-    for (const Material& material : list) by_name_.try_emplace(material.name, &material);
+void MaterialLibrary::add(MaterialLibrary more) {
+    for (auto& [name, fault] : more.faults)
+        if (std::ranges::find(materials, name, &Material::name) == materials.end())
+            faults.try_emplace(name, std::move(fault));
+    std::ranges::move(more.materials, std::back_inserter(materials));
+}
+
+MaterialNames::MaterialNames(const MaterialLibrary& library, std::string missing)
+    : library_(&library), missing_(std::move(missing)) {
+    for (const Material& material : list()) by_name_.try_emplace(material.name, &material);
 }
 
 const Material* MaterialNames::find(std::string_view name) const {
+    if (const auto fault = library_->faults.find(name); fault != library_->faults.end())
+        throw Error(fault->second);
     const auto found = by_name_.find(name);
     return found == by_name_.end() ? nullptr : found->second;
 }

@@ -6,7 +6,10 @@
 #include "scene/scene.h"
 #include "scene/text/warnings.h"
 
+#include <functional>
 #include <initializer_list>
+#include <map>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 
@@ -40,19 +43,27 @@ bool without_highlights(Material& material);
 /// Adds a warning for each material in use that cannot be seen.
 void warn_invisible(const Scene& scene, const std::string& file, Warnings& warnings);
 
-/// Materials by name; of several with one name, the first. The list must not change meanwhile.
+/// The materials of files, in order. A fault in one that nothing uses is no error.
+struct MaterialLibrary {
+    std::vector<Material> materials;
+    std::map<std::string, std::string, std::less<>> faults;  ///< messages, by the material's name
+
+    void add(MaterialLibrary more);
+};
+
+/// Materials by name; of several with one name, the first. The library must not change meanwhile.
 class MaterialNames {
 public:
-    /// `missing`: for people, why the list lacks some; empty: it is whole.
-    explicit MaterialNames(const std::vector<Material>& list, std::string missing = {});
+    /// `missing`: for people, why the library lacks some; empty: it is whole.
+    explicit MaterialNames(const MaterialLibrary& library, std::string missing = {});
 
-    /// Null if there is none.
+    /// Null if there is none. Throws Error for one with a fault.
     const Material* find(std::string_view name) const;
-    const std::vector<Material>& list() const { return *list_; }
+    const std::vector<Material>& list() const { return library_->materials; }
     const std::string& missing() const { return missing_; }
 
 private:
-    const std::vector<Material>* list_ = nullptr;
+    const MaterialLibrary* library_ = nullptr;
     std::string missing_;
     std::unordered_map<std::string_view, const Material*> by_name_;
 };

@@ -2,7 +2,6 @@
 
 #include "scene/obj/map_options.h"
 #include "scene/obj/obj_tokens.h"
-#include "scene/scene_builder.h"
 #include "scene/text/encoding.h"
 #include "scene/text/suggest.h"
 #include "scene/text/text_file.h"
@@ -48,7 +47,7 @@ public:
     MtlReader(const std::filesystem::path& path, std::string_view text, Warnings& warnings)
         : folder_(path.parent_path()), in_(path.string(), text), warnings_(warnings) {}
 
-    std::vector<Material> read() {
+    MaterialLibrary read() {
         while (in_.next()) {
             keyword_ = lower(in_.keyword());
             if (keyword_ == "newmtl")
@@ -56,13 +55,13 @@ public:
             else if (materials_.empty())
                 in_.fail("'" + printable(in_.keyword()) +
                          "' before any material; expected newmtl NAME");
-            else
-                statement();
+            else if (faults_.back().empty())
+                try_statement();
         }
         end_material();
         drop_repeated();
-        for (Material& material : materials_) choose_alpha(material);
-        return std::move(materials_);
+        for (Material& material : library_.materials) choose_alpha(material);
+        return std::move(library_);
     }
 
 private:
@@ -71,6 +70,7 @@ private:
         end_material();
         materials_.emplace_back().name = in_.rest();
         lines_.push_back(in_.line());
+        faults_.emplace_back();
         illum_line_ = 0;
         has_d_ = has_Tr_ = false;
     }
@@ -100,16 +100,29 @@ private:
     // The first material of a name counts, as the first of several libraries does.
     void drop_repeated() {
         std::set<std::string> names;
-        std::vector<Material> first;
         for (std::size_t i = 0; i < materials_.size(); ++i) {
             const std::string name = materials_[i].name;
-            if (names.insert(name).second)
-                first.push_back(std::move(materials_[i]));
-            else
+            if (!names.insert(name).second) {
                 warnings_.add(in_.file(), lines_[i], "newmtl " + name,
                               "material '" + printable(name) + "' again; the first one counts");
+                continue;
+            }
+            library_.materials.push_back(std::move(materials_[i]));
+            if (!faults_[i].empty()) library_.faults[name] = std::move(faults_[i]);
         }
-        materials_ = std::move(first);
+    }
+
+    // Readers that find the material in use throw the fault: then nobody sees the warning.
+    void try_statement() {
+        try {
+            statement();
+        } catch (const Error& error) {
+            const std::string& name = materials_.back().name;
+            faults_.back() = error.what();
+            const std::size_t place = at_line(in_.file(), in_.line(), "").size();
+            warn("fault " + name, faults_.back().substr(place) + "; nothing uses material '" +
+                                      printable(name) + "', so it is left out");
+        }
     }
 
     void statement() {
@@ -243,14 +256,16 @@ private:
     Warnings& warnings_;
     std::string keyword_;
     std::vector<Material> materials_;
-    std::vector<int> lines_;
+    std::vector<int> lines_;           ///< of each
+    std::vector<std::string> faults_;  ///< of each; empty: none
+    MaterialLibrary library_;
     int illum_line_ = 0;  ///< of the last material; 0: it has no illum
     bool has_d_ = false, has_Tr_ = false;
 };
 
 }  // namespace
 
-std::vector<Material> read_mtl(const std::filesystem::path& path, Warnings& warnings) {
+MaterialLibrary read_mtl(const std::filesystem::path& path, Warnings& warnings) {
     warnings.add_file(path);
     const std::string text = utf8_of_statements(path.string(), read_text(path));
     return MtlReader(path, text, warnings).read();

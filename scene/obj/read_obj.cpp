@@ -55,7 +55,7 @@ public:
         check_indices(obj);
         return std::move(build_.obj);
     }
-    std::vector<Material> take_materials() { return std::move(materials_); }
+    MaterialLibrary take_materials() { return std::move(materials_); }
     const std::string& missing_library() const { return missing_; }
 
 private:
@@ -228,8 +228,7 @@ private:
         if (!fault.empty())
             in_.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
         if (!libraries_.insert(path).second) return;
-        for (Material& material : read_mtl(path, warnings_))
-            materials_.push_back(std::move(material));
+        materials_.add(read_mtl(path, warnings_));
     }
     /// No error: a scene may bring its own materials, or the default one stands in.
     void missing(std::string_view name) {
@@ -266,7 +265,7 @@ private:
     Statements in_;
     Warnings& warnings_;
     ObjBuilder build_;
-    std::vector<Material> materials_;
+    MaterialLibrary materials_;
     std::string missing_;
     std::set<std::filesystem::path> libraries_;  ///< read already
 };

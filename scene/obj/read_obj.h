@@ -2,7 +2,7 @@
 // statements. Does not triangulate (make_mesh does) and does not read textures.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/scene_builder.h"
 #include "scene/text/warnings.h"
 
 #include <filesystem>
@@ -32,7 +32,7 @@ struct ObjFile {
     /// of all positions: 0 unless the file lies far from 0, as maps do (scene/geometry/far.h)
     dvec3 origin{0};
     std::vector<ObjPart> parts;       ///< in the order of their first elements; at least one
-    std::vector<Material> materials;  ///< of every mtllib, in order
+    MaterialLibrary materials;        ///< of every mtllib, in order
     std::string missing_library;      ///< of the first mtllib that does not exist, for people
 };
 

@@ -22,17 +22,17 @@ std::vector<const TomlValue*> tables_in(const TomlValue& value) {
 }
 
 // The materials of [material.NAME], then those of the mtllib files.
-class Library {
+class LibraryReader {
 public:
-    explicit Library(Warnings& warnings) : warnings_(warnings) {}
-    std::vector<Material> materials;
+    explicit LibraryReader(Warnings& warnings) : warnings_(warnings) {}
+    MaterialLibrary library;
 
     void add_table(const TomlValue& table) {
         if (table.kind != TomlKind::Table) table.fail_expected("[material.NAME]");
         for (const TomlValue& value : table.elements) {
             Material material{.name = value.key};
             read_material(value, material);
-            materials.push_back(std::move(material));
+            library.materials.push_back(std::move(material));
         }
     }
     void add_files(const TomlValue& value) {
@@ -41,8 +41,7 @@ public:
                 find_file(std::filesystem::path(*value.file).parent_path(), name);
             if (const std::string fault = file_fault(path); !fault.empty())
                 value.fail("mtllib '" + printable(name) + "' " + fault + "; expected an MTL file");
-            for (Material& material : read_mtl(path, warnings_))
-                materials.push_back(std::move(material));
+            library.add(read_mtl(path, warnings_));
         }
     }
 
@@ -93,11 +92,11 @@ SceneFile read_toml(const std::filesystem::path& path) {
                    {"film", [&](const TomlValue& value) { film = &value; }},
                    {"track", [&](const TomlValue& value) { tracks = tables_in(value); }},
                });
-    Library library(warnings);
-    if (materials) library.add_table(*materials);
-    if (mtllib) library.add_files(*mtllib);
+    LibraryReader named(warnings);
+    if (materials) named.add_table(*materials);
+    if (mtllib) named.add_files(*mtllib);
 
-    TomlObjects reader(builder, library.materials, warnings);
+    TomlObjects reader(builder, named.library, warnings);
     for (const TomlValue* object : objects) reader.add(*object);
     for (std::size_t i = 0; i < tables.pieces(); ++i)
         for (const TomlValue& object : tables.further(i)) reader.add(object);

@@ -90,11 +90,11 @@ TomlObjects::SourceFile::SourceFile(ObjFile read)
 TomlObjects::SourceFile::SourceFile(std::string path, GltfFile read)
     : file(std::move(path)),
       origin(read.origin),
-      list(std::move(read.scene.materials)),
+      list{.materials = std::move(read.scene.materials), .faults = {}},
       materials(list) {
     for (Object& object : read.scene.objects)
         parts.push_back({.name = std::move(object.name),
-                         .own = &list[object.material],
+                         .own = &list.materials[object.material],
                          .shared = std::move(object.mesh),
                          .file_from_part = object.world_from_object,
                          .single_sided = object.single_sided});
@@ -250,7 +250,7 @@ const TomlObjects::SourceFile& TomlObjects::gltf_of(const ObjectTable& object,
 
 const Material& TomlObjects::material_of(ObjectTable& object, const SourceFile* source,
                                          const SourcePart* part) {
-    static const std::vector<Material> none;
+    static const MaterialLibrary none;
     static const MaterialNames no_names(none);
     const MaterialNames& own = source ? source->materials : no_names;
     const auto base = [&]() -> const Material& {

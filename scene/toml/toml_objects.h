@@ -19,7 +19,7 @@ class TomlObjects {
 public:
     /// `library` holds the materials of the TOML file; they take precedence over those of other
     /// files.
-    TomlObjects(SceneBuilder& builder, const std::vector<Material>& library, Warnings& warnings)
+    TomlObjects(SceneBuilder& builder, const MaterialLibrary& library, Warnings& warnings)
         : builder_(builder), library_(library), warnings_(warnings) {}
     TomlObjects(const TomlObjects&) = delete;
     TomlObjects& operator=(const TomlObjects&) = delete;
@@ -51,7 +51,7 @@ private:
         SourceFile& operator=(const SourceFile&) = delete;
         std::string file;
         dvec3 origin;
-        std::vector<Material> list;
+        MaterialLibrary list;
         MaterialNames materials;
         std::vector<SourcePart> parts;
         std::set<std::string_view> names;

@@ -13,15 +13,20 @@ struct Mtl : testing::Test {
     Folder folder;
     Warnings list;
 
-    std::vector<Material> read(const std::string& text) {
+    MaterialLibrary library(const std::string& text) {
         list = Warnings();
         return read_mtl(folder.write("m.mtl", text), list);
     }
+    std::vector<Material> read(const std::string& text) { return library(text).materials; }
     Material one(const std::string& statements) {
         return read("newmtl m\n" + statements + "\n").at(0);
     }
     std::string fault(const std::string& text) {
-        return folder.error([&] { read(text); });
+        return folder.error([&] {
+            const MaterialLibrary found = library(text);
+            const MaterialNames names(found);
+            for (const Material& material : found.materials) names.find(material.name);
+        });
     }
     std::string fault_of(const std::string& statement) {
         return fault("newmtl m\n" + statement + "\n");
@@ -90,7 +95,7 @@ TEST_F(Mtl, ReadsTrAsOneMinusDAndPrefersD) {
 
 TEST_F(Mtl, AsksForDAndTrOfEachMaterialAnew) {
     folder.write("m.mtl", "newmtl a\nd 0.5\nnewmtl b\nTr 0.25\nnewmtl c\nd 0.125\n");
-    const auto materials = read_mtl(folder.path() / "m.mtl", folder.warnings_list());
+    const auto materials = read_mtl(folder.path() / "m.mtl", folder.warnings_list()).materials;
     ASSERT_EQ(materials.size(), 3u);
     EXPECT_EQ(materials[0].d, 0.5f);
     EXPECT_EQ(materials[1].d, 0.75f);
@@ -226,7 +231,38 @@ TEST_F(Mtl, RefusesOtherColourSystemsAndCubeMaps) {
 
 TEST_F(Mtl, NamesItsOwnFileInErrorsOfAnObj) {
     folder.write("m.mtl", "newmtl a\nKd 1 0\n");
-    EXPECT_EQ(folder.obj_error("mtllib m.mtl\n"), "m.mtl:2: Kd has 2 numbers; expected Kd r g b");
+    const std::string error = "m.mtl:2: Kd has 2 numbers; expected Kd r g b",
+                      face = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    EXPECT_EQ(folder.scene_error("s.obj", face), error);
+    EXPECT_EQ(folder.obj_error(face), "no error") << "a scene may bring another material a";
+    folder.write("m.mtl", "Kd 1 0\n");
+    EXPECT_EQ(folder.obj_error(face), "m.mtl:1: 'Kd' before any material; expected newmtl NAME");
+}
+
+/// Exporters write all materials of a program, of which a model uses some.
+TEST_F(Mtl, AFaultInAMaterialThatNothingUsesIsAWarning) {
+    const std::string text =
+        "newmtl sky\nrefl -type cube_top sky.png\nNs x\nnewmtl a\nKd 1 0 0\nnewmtl sky\nKd 0 0 1\n";
+    const MaterialLibrary found = library(text);
+    EXPECT_EQ(MaterialNames(found).find("a")->Kd, vec3(1, 0, 0));
+    EXPECT_EQ(warned(),
+              (Strings{"m.mtl:2: refl -type cube_top is not supported; expected refl -type sphere; "
+                       "nothing uses material 'sky', so it is left out",
+                       "m.mtl:6: material 'sky' again; the first one counts"}));
+    EXPECT_EQ(fault(text),
+              "m.mtl:2: refl -type cube_top is not supported; expected refl -type sphere");
+}
+
+TEST_F(Mtl, TheFirstLibraryThatHasAMaterialDecidesWhetherItHasAFault) {
+    for (const bool good_first : {false, true}) {
+        MaterialLibrary all = library(good_first ? "newmtl a\nKd 1 0 0\n" : "newmtl a\nKd 1 0\n");
+        all.add(library(good_first ? "newmtl a\nKd 1 0\n" : "newmtl a\nKd 1 0 0\n"));
+        const MaterialNames names(all);
+        if (good_first)
+            EXPECT_EQ(names.find("a")->Kd, vec3(1, 0, 0));
+        else
+            EXPECT_THROW(names.find("a"), Error);
+    }
 }
 
 }  // namespace gw::scene

@@ -132,7 +132,7 @@ TEST(ReadObj, FindsLibrariesWithBlanksAndSeveralOnALine) {
         folder.obj("mtllib my first.mtl sub\\b.mtl\nmtllib c.mtl\nmtllib sub/b.mtl\n" + triangle +
                    "f 1 2 3\n");
     Strings names;
-    for (const Material& material : file.materials) names.push_back(material.name);
+    for (const Material& material : file.materials.materials) names.push_back(material.name);
     EXPECT_EQ(names, (Strings{"a", "b", "c"}));
     EXPECT_EQ(folder.warnings(), Strings());
 }
@@ -154,7 +154,7 @@ TEST(ReadObj, WarnsOfALibraryThatIsMissingIfNothingNeedsIt) {
               Strings{"m.obj:1: mtllib 'no such.mtl' does not exist; expected an MTL file"});
     const ObjFile file =
         folder.obj("mtllib not there.mtl b.mtl\n" + triangle + "usemtl b\nf 1 2 3\n");
-    EXPECT_EQ(file.materials.size(), 1u);
+    EXPECT_EQ(file.materials.materials.size(), 1u);
     EXPECT_EQ(folder.warnings(),
               Strings{"m.obj:1: mtllib 'not there.mtl' does not exist; expected an MTL file"});
 }
