@@ -10,5 +10,6 @@ namespace gw::scene {
 
 /// For each position the index of the first one equal to it.
 std::vector<std::uint32_t> weld(const std::vector<vec3>& positions);
+std::vector<std::uint32_t> weld(const std::vector<dvec3>& positions);
 
 }  // namespace gw::scene

@@ -67,11 +67,12 @@ void check_finite(const ObjData& obj, std::uint32_t index, const std::vector<Not
         throw Error(obj.file, found->line, found->fault);
 }
 
-void gather_vertices(const ObjData& obj, const std::vector<Corner>& corners, MeshData& mesh) {
+void gather_vertices(const ObjData& obj, const dvec3& origin, const std::vector<Corner>& corners,
+                     MeshData& mesh) {
     bool any_texcoord = false, any_normal = false;
     mesh.positions.reserve(corners.size());
     for (const Corner& corner : corners) {
-        mesh.positions.push_back(obj.positions[corner.v]);
+        mesh.positions.emplace_back(obj.positions[corner.v] - origin);
         if (!obj.colors.empty()) mesh.colors.push_back(obj.colors[corner.v]);
         any_texcoord |= corner.vt != absent;
         any_normal |= corner.vn != absent;
@@ -179,7 +180,7 @@ std::vector<MeshData> make_meshes(const ObjData& obj) {
             for (std::uint32_t k = 0; k < element.count; ++k)
                 mesh.indices.push_back(vertices.index_of(obj.corners[element.first + k]));
         }
-        gather_vertices(obj, vertices.corners(), mesh);
+        gather_vertices(obj, obj.parts[p].origin, vertices.corners(), mesh);
     }
     return meshes;
 }

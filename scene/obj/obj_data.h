@@ -45,6 +45,7 @@ struct Part {
     int material_line = 0;
     Primitive primitive = Primitive::Polygons;  ///< Polygons, Lines or Points
     std::uint32_t elements = 0, corners = 0;    ///< their numbers
+    dvec3 origin{0};                            ///< of the mesh's positions (origins.h)
 };
 
 /// A v, vt or vn that is not finite: an error if an element uses it.
@@ -56,9 +57,9 @@ struct NotFinite {
 
 struct ObjData {
     std::string file;
-    dvec3 origin{
-        0};  ///< of the positions: a file far from 0 loses no digits (scene/geometry/far.h)
-    std::vector<vec3> positions, normals;
+    /// float32 values, or those of the text (origins.h)
+    std::vector<dvec3> positions;
+    std::vector<vec3> normals;
     std::vector<vec2> texcoords;
     std::vector<vec4> colors;  ///< empty, or one for each position
     std::vector<Corner> corners;

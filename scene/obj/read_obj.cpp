@@ -1,9 +1,9 @@
 #include "scene/obj/read_obj.h"
 
-#include "scene/geometry/far.h"
 #include "scene/obj/normals.h"
 #include "scene/obj/obj_data.h"
 #include "scene/obj/obj_tokens.h"
+#include "scene/obj/origins.h"
 #include "scene/obj/read_mtl.h"
 #include "scene/text/encoding.h"
 #include "scene/text/number.h"
@@ -36,12 +36,14 @@ constexpr std::size_t longest_library_name = 255;
 
 class ObjReader {
 public:
-    /// Positions are read relative to `origin`.
-    ObjReader(const std::filesystem::path& path, std::string_view text, const dvec3& origin,
+    /// Positions are rounded to float32, unless they shall be exact.
+    ObjReader(const std::filesystem::path& path, std::string_view text, bool is_exact,
               Warnings& warnings)
-        : folder_(path.parent_path()), in_(path.string(), text), warnings_(warnings) {
+        : folder_(path.parent_path()),
+          in_(path.string(), text),
+          warnings_(warnings),
+          is_exact_(is_exact) {
         build_.obj.file = in_.file();
-        build_.obj.origin = origin;
     }
 
     ObjData read() {
@@ -115,7 +117,7 @@ private:
         const std::size_t count = read.value_or(3);
         if (count < 3 || count == 5) fail_count(in_, count, form);
         if (count == 4 && n[3] != 1) warn("w", "the weight w of v is not used");
-        obj.positions.push_back(read ? place(n) : vec3(0));
+        obj.positions.push_back(read ? place(n) : dvec3(0));
         if (count >= 6 && vec3(n[3], n[4], n[5]) != vec3(1)) warn("colour", color_warning);
         if (count < 6 && obj.colors.empty()) return;
         obj.colors.resize(obj.positions.size(), vec4(1, 1, 1, 1));
@@ -139,16 +141,15 @@ private:
         return (words == 3 || words == 4) && !not_finite(place_of(text), {});
     }
 
-    /// The position as far from the file's origin as in the text.
-    vec3 place(const std::array<float, 7>& n) const {
-        vec3 p(n[0], n[1], n[2]);
-        if (build_.obj.origin == dvec3(0)) return p;
+    /// As float32, or as in the text.
+    dvec3 place(const std::array<float, 7>& n) const {
+        dvec3 p(n[0], n[1], n[2]);
+        if (!is_exact_) return p;
         std::string_view rest = in_.rest();
         for (int k = 0; k < 3; ++k) {
             std::string_view word = take_word(rest);
             if (word.starts_with('+')) word.remove_prefix(1);
-            p[k] =
-                float(read_double(word).value_or(double(n[std::size_t(k)])) - build_.obj.origin[k]);
+            p[k] = read_double(word).value_or(p[k]);
         }
         return p;
     }
@@ -264,6 +265,7 @@ private:
     const std::filesystem::path folder_;
     Statements in_;
     Warnings& warnings_;
+    const bool is_exact_;
     ObjBuilder build_;
     MaterialLibrary materials_;
     std::string missing_;
@@ -285,56 +287,30 @@ const std::array<ObjReader::Keyword, 12> ObjReader::keywords{{
     {"fo", &ObjReader::face},
 }};
 
-/// A v that no element uses does not count: some files begin with one at 0.
-Bounds box_of_corners(const ObjData& obj) {
-    Bounds box;
-    for (const Corner& corner : obj.corners) extend(box, dvec3(obj.positions[corner.v]));
-    return box;
-}
-
-/// Where most of a file's corners are, of which a few may lie elsewhere, as marks of an origin do:
-/// the box without a sixteenth of them at each end of each axis.
-Bounds box_of_most(const ObjData& obj) {
-    Bounds box{.empty = obj.corners.empty()};
-    const auto end = std::ptrdiff_t(obj.corners.size() / 16);
-    for (int k = 0; k < 3 && !box.empty; ++k) {
-        std::vector<float> along;
-        for (const Corner& corner : obj.corners) along.push_back(obj.positions[corner.v][k]);
-        std::nth_element(along.begin(), along.begin() + end, along.end());
-        box.low[k] = double(along[std::size_t(end)]);
-        std::nth_element(along.begin(), along.end() - 1 - end, along.end());
-        box.high[k] = double(*(along.end() - 1 - end));
-    }
-    return box;
-}
-
-/// From where positions count: a file far from 0 loses no digits.
-dvec3 origin_of(const ObjData& obj) {
-    const dvec3 origin = far_origin(box_of_corners(obj));
-    return origin != dvec3(0) ? origin : far_origin(box_of_most(obj), very_far_ratio);
-}
-
 }  // namespace
 
 ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, Warnings& warnings) {
     warnings.add_file(path);
     const std::string text = utf8_of_statements(path.string(), read_text(path));
-    ObjReader reader(path, text, dvec3(0), warnings);
+    ObjReader reader(path, text, false, warnings);
     ObjData obj = reader.read();
-    if (const dvec3 origin = origin_of(obj); origin != dvec3(0)) {
+    if (const std::vector<dvec3> origins = origins_of_parts(obj); !origins.empty()) {
         Warnings again;
-        obj = ObjReader(path, text, origin, again).read();
+        obj = ObjReader(path, text, true, again).read();
+        for (std::size_t p = 0; p < origins.size(); ++p) obj.parts[p].origin = origins[p];
     }
+    warn_rounded(obj, warnings);
     if (options.crease)
         for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
     add_normals(obj, options.crease.value_or(default_crease));
 
-    ObjFile file{path.string(), obj.origin, {}, reader.take_materials(), reader.missing_library()};
+    ObjFile file{path.string(), {}, reader.take_materials(), reader.missing_library()};
     std::vector<MeshData> meshes = make_meshes(obj);
     for (std::size_t p = 0; p < meshes.size(); ++p) {
         const Part& part = obj.parts[p];
         const std::string name = part.name.empty() ? path.stem().string() : part.name;
-        file.parts.push_back({name, part.material, part.material_line, std::move(meshes[p])});
+        file.parts.push_back(
+            {name, part.material, part.material_line, part.origin, std::move(meshes[p])});
     }
     return file;
 }

@@ -24,16 +24,15 @@ struct ObjPart {
     std::string name;      ///< `g`, else `o`, else the file's stem
     std::string material;  ///< `usemtl`; empty: none
     int material_line = 0;
-    MeshData mesh;  ///< Polygons, Lines or Points, without polygon_ids
+    dvec3 origin{0};  ///< of the mesh's positions: 0 unless it lies far from 0 (origins.h)
+    MeshData mesh;    ///< Polygons, Lines or Points, without polygon_ids
 };
 
 struct ObjFile {
     std::string file;
-    /// of all positions: 0 unless the file lies far from 0, as maps do (scene/geometry/far.h)
-    dvec3 origin{0};
-    std::vector<ObjPart> parts;       ///< in the order of their first elements; at least one
-    MaterialLibrary materials;        ///< of every mtllib, in order
-    std::string missing_library;      ///< of the first mtllib that does not exist, for people
+    std::vector<ObjPart> parts;   ///< in the order of their first elements; at least one
+    MaterialLibrary materials;    ///< of every mtllib, in order
+    std::string missing_library;  ///< of the first mtllib that does not exist, for people
 };
 
 /// Throws Error "file:line: what; expected what", for its MTL files as well. Does not check that a

@@ -28,7 +28,7 @@ SceneFile read_bare_obj(const std::filesystem::path& path) {
     for (ObjPart& part : file.parts) {
         const Material& material = material_of_faces({&materials}, part.material,
                                                      {file.file, part.material_line}, warnings);
-        builder.add({.name = part.name, .world_from_object = translation(file.origin)},
+        builder.add({.name = part.name, .world_from_object = translation(part.origin)},
                     std::move(part.mesh), material, {file.file, 0});
     }
     warn_invisible(builder.scene, path.string(), warnings);

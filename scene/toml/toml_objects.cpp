@@ -76,14 +76,14 @@ PixmapChoice to_pixmap(const TomlValue& table) {
 
 TomlObjects::SourceFile::SourceFile(ObjFile read)
     : file(std::move(read.file)),
-      origin(read.origin),
       list(std::move(read.materials)),
       materials(list, std::move(read.missing_library)) {
     for (ObjPart& part : read.parts)
         parts.push_back({.name = std::move(part.name),
                          .material = std::move(part.material),
                          .material_line = part.material_line,
-                         .mesh = std::move(part.mesh)});
+                         .mesh = std::move(part.mesh),
+                         .file_from_part = translation(part.origin)});
     for (const SourcePart& part : parts) names.insert(part.name);
 }
 

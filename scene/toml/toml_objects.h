@@ -50,7 +50,7 @@ private:
         SourceFile(const SourceFile&) = delete;
         SourceFile& operator=(const SourceFile&) = delete;
         std::string file;
-        dvec3 origin;
+        dvec3 origin{0};  ///< of glTF
         MaterialLibrary list;
         MaterialNames materials;
         std::vector<SourcePart> parts;

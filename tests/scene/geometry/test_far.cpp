@@ -19,6 +19,12 @@ std::string square(double x, double y) {
     return text + "f 1 2 3 4\n";
 }
 
+/// The square beside others in one file.
+std::string next_square(double x, double y) {
+    std::string text = square(x, y);
+    return text.replace(text.find("f 1"), std::string::npos, "f -4 -3 -2 -1\n");
+}
+
 /// The corners in the coordinates of the file.
 std::vector<dvec3> corners(const SceneFile& file, std::size_t object = 0) {
     std::vector<dvec3> list;
@@ -32,11 +38,7 @@ std::vector<dvec3> corners(const SceneFile& file, std::size_t object = 0) {
 TEST(FarScenes, KeepTheirDigitsBesideAStrayFace) {
     const Folder folder;
     std::string text;
-    for (int i = 0; i < 16; ++i) {
-        std::string one = square(east + 0.3 * i, north);
-        one.replace(one.find("f 1"), std::string::npos, "f -4 -3 -2 -1\n");
-        text += one;
-    }
+    for (int i = 0; i < 16; ++i) text += next_square(east + 0.3 * i, north);
     const SceneFile file =
         read_scene(folder.write("a.obj", text + "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"));
     const std::vector<dvec3> found = corners(file);
@@ -46,6 +48,33 @@ TEST(FarScenes, KeepTheirDigitsBesideAStrayFace) {
         EXPECT_NEAR(found[std::size_t(4 * i)].y, north, 1e-5);
     }
     EXPECT_NEAR(found[64].x, 0, 0.5);  // whole, where it is seen from far away
+}
+
+/// Two places in one file, so that no point is near both.
+TEST(FarScenes, KeepTheirDigitsInEachObject) {
+    const Folder folder;
+    const SceneFile file = read_scene(
+        folder.write("a.obj", "o home\n" + square(0.1, 0.2) + "o far\n" + next_square(east, north) +
+                                  "o beside\n" + next_square(east + 0.3, north)));
+    EXPECT_EQ(file.warnings, std::vector<std::string>());
+    EXPECT_EQ(corners(file, 0)[0].x, double(0.1f));
+    for (const std::size_t object : {1u, 2u}) {
+        const double x = object == 1 ? east : east + 0.3;
+        EXPECT_NEAR(corners(file, object)[0].x, x, 1e-7);
+        EXPECT_NEAR(corners(file, object)[2].y, north + 0.3, 1e-7);
+    }
+    EXPECT_EQ(corners(file, 1)[1], corners(file, 2)[0]) << "faces that meet have one corner";
+}
+
+TEST(FarScenes, NameAnObjectThatLiesInTwoPlaces) {
+    const Folder folder;
+    const SceneFile file =
+        read_scene(folder.write("a.obj", "o both\n" + square(0, 0) + next_square(east, north)));
+    ASSERT_EQ(file.warnings.size(), 1u);
+    EXPECT_EQ(
+        folder.relative(file.warnings[0]),
+        "a.obj:11: object 'both' has parts 5411001 from its middle, where float32 has steps of "
+        "0.5; expected objects (o, g) of their own for places so far apart");
 }
 
 double largest_coordinate(const Scene& scene) {

@@ -173,7 +173,7 @@ TEST(Weld, FindsTheFirstOfEqualPositions) {
     const std::vector<vec3> positions{
         {0, 0, 0}, {1, 2, 3}, {-0.0f, 0, -0.0f}, {1, 2, 3.0000002f}, {1, 2, 3}};
     EXPECT_EQ(weld(positions), (std::vector<std::uint32_t>{0, 1, 0, 3, 1}));
-    EXPECT_TRUE(weld({}).empty());
+    EXPECT_TRUE(weld(std::vector<vec3>{}).empty());
 }
 
 }  // namespace gw::scene
