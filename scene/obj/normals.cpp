@@ -12,9 +12,6 @@
 namespace gw::scene {
 namespace {
 
-/// Faces at one point are compared with each other up to this number.
-constexpr std::size_t most_compared = 1024;
-
 bool is_zero(const dvec3& v) { return v == dvec3(0); }
 
 constexpr std::size_t points_between_looks = 4096;
@@ -23,7 +20,7 @@ constexpr std::size_t points_between_looks = 4096;
 // about its first corner).
 dvec3 area_vector(const ObjData& obj, const Element& face) {
     const auto position = [&](std::uint32_t i) {
-        return dvec3(obj.positions[obj.corners[face.first + i].v]);
+        return obj.positions[obj.corners[face.first + i].v];
     };
     const dvec3 origin = position(0);
     dvec3 sum(0);
@@ -47,8 +44,8 @@ public:
     Normals(ObjData& obj, double crease)
         : obj_(obj), cos_crease_(cos_degrees(crease)), cos_half_crease_(cos_degrees(crease / 2)) {}
 
-    void add() {
-        if (!find_corners()) return;
+    const Element* add() {
+        if (!find_corners()) return nullptr;
         find_faces();
         meet();
         for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
@@ -56,6 +53,7 @@ public:
             if (begin_[i] < begin_[i + 1])
                 smooth(std::span(meetings_).subspan(begin_[i], begin_[i + 1] - begin_[i]));
         }
+        return left_flat_;
     }
 
 private:
@@ -138,11 +136,15 @@ private:
     }
 
     // Compares pairs of faces only if they are smooth by angle. Of very many, each stays flat.
-    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) const {
+    dvec3 sum_at(std::span<const Meeting> meetings, std::uint32_t own) {
         const FaceNormal& face = faces_[own];
         if (is_zero(face.normal)) return all_;
         if (face.smoothing > 0) return groups_.at(face.smoothing);
-        if (face.smoothing == smooth_off || meetings.size() > most_compared) return face.area;
+        if (face.smoothing == smooth_off) return face.area;
+        if (meetings.size() > most_compared) {
+            if (!left_flat_) left_flat_ = &obj_.elements[own];
+            return face.area;
+        }
         dvec3 sum(0);
         for (const Meeting& other : meetings)
             if (other.face == own || smooth_together(face, faces_[other.face]))
@@ -193,10 +195,11 @@ private:
     std::vector<FaceNormal> faces_;
     std::vector<std::uint32_t> begin_;
     std::vector<Meeting> meetings_;
+    const Element* left_flat_ = nullptr;
 };
 
 }  // namespace
 
-void add_normals(ObjData& obj, double crease) { Normals(obj, crease).add(); }
+const Element* add_normals(ObjData& obj, double crease) { return Normals(obj, crease).add(); }
 
 }  // namespace gw::scene

@@ -302,7 +302,12 @@ ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, W
     warn_rounded(obj, warnings);
     if (options.crease)
         for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
-    add_normals(obj, options.crease.value_or(default_crease));
+    if (const Element* flat = add_normals(obj, options.crease.value_or(default_crease)))
+        warnings.add(
+            path.string(), flat->line, "flat",
+            "more than " + std::to_string(most_compared) +
+                " faces meet at a corner of this one and stay flat there; expected normals "
+                "(vn) or a smoothing group (s)");
 
     ObjFile file{path.string(), {}, reader.take_materials(), reader.missing_library()};
     std::vector<MeshData> meshes = make_meshes(obj);

@@ -87,6 +87,14 @@ TEST(Normals, OfVeryManyFacesAtOnePointAreTheFacesOwn) {
     EXPECT_EQ(normals_at_the_tip("s off\n" + cone(1500, false)),
               normals_at_the_tip(cone(1500, false)));
     EXPECT_EQ(normals_at_the_tip(cone(8, false)), 8u);
+    Folder folder;
+    folder.obj("s off\n" + cone(1500, false));
+    EXPECT_EQ(folder.warnings(), std::vector<std::string>());
+    folder.obj(cone(1500, false));
+    EXPECT_EQ(folder.warnings(),
+              std::vector<std::string>{
+                  "m.obj:1502: more than 1024 faces meet at a corner of this one and stay flat "
+                  "there; expected normals (vn) or a smoothing group (s)"});
 }
 
 TEST(Normals, AreWeightedByArea) {
