@@ -223,6 +223,9 @@ const TomlObjects::SourceFile& TomlObjects::file_of(const ObjectTable& object) {
                    "; expected an OBJ or glTF file");
     const std::string extension = lower(path.extension().string());
     if (extension == ".gltf" || extension == ".glb") return gltf_of(object, path);
+    if (extension != ".obj")
+        value.fail("file '" + printable(object.file) + "' has the extension '" +
+                   printable(extension) + "'; expected an OBJ or glTF file");
     ObjOptions options;
     if (object.crease) options.crease = to_double(*object.crease, {0, 180});
     const std::pair<std::string, double> key{path.string(), options.crease.value_or(-1)};

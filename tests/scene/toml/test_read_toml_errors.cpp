@@ -189,6 +189,11 @@ TEST_F(TomlError, Objects) {
     std::filesystem::create_directory(folder.path() / "d");
     EXPECT_EQ(fault("[[object]]\nfile = 'd'\n"),
               "s.toml:2: file 'd' is a directory; expected an OBJ or glTF file");
+    folder.write("other.STL", "solid x\n");
+    EXPECT_EQ(fault("[[object]]\nfile = 'other.STL'\n"),
+              "s.toml:2: file 'other.STL' has the extension '.stl'; expected an OBJ or glTF file");
+    EXPECT_EQ(fault("[[object]]\nfile = 's.toml'\n"),
+              "s.toml:2: file 's.toml' has the extension '.toml'; expected an OBJ or glTF file");
     EXPECT_EQ(fault("\nmtllib = ['d']\n[[object]]\nshape = 'box'\n"),
               "s.toml:2: mtllib 'd' is a directory; expected an MTL file");
     EXPECT_EQ(fault("[[object]]\nfile = '/dev/null'\n"),
