@@ -83,7 +83,7 @@ SceneFile read_toml(const std::filesystem::path& path) {
                    key("texels", scene.texels_per_unit, texels_per_unit),
                    key("reflection_in_shadow", scene.reflection_in_shadow),
                    {"camera", [&](const TomlValue& value) { scene.camera = to_camera(value); }},
-                   {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value); }},
+                   {"fog", [&](const TomlValue& value) { scene.fog = to_fog(value, warnings); }},
                    {"mtllib", [&](const TomlValue& value) { mtllib = &value; }},
                    {"material", [&](const TomlValue& value) { materials = &value; }},
                    {"light", [&](const TomlValue& value) { lights = tables_in(value); }},

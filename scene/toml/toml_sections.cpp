@@ -51,6 +51,25 @@ void check_kind(const TomlValue& table, const Light& light) {
     obey(table, fault_of(light));
 }
 
+void warn_without_effect(const TomlValue& table, std::initializer_list<const char*> keys,
+                         const std::string& where, Warnings& warnings) {
+    for (const char* key : keys)
+        if (const TomlValue* value = table.find(key)) {
+            const std::string name = table.name + "." + key;
+            warnings.add(*value->file, value->line, name, name + " has no effect " + where);
+        }
+}
+
+void warn_of_kind(const TomlValue& table, const Light& light, Warnings& warnings) {
+    if (light.kind == LightKind::Point)
+        warn_without_effect(table, {"direction", "cone", "exponent"},
+                            "on a point light; expected position and direction, of a spot",
+                            warnings);
+    if (light.kind == LightKind::Directional)
+        warn_without_effect(table, {"position", "cone", "exponent", "attenuation"},
+                            "on a directional light; expected a point light or a spot", warnings);
+}
+
 void read_scale(const TomlValue& value, vec2& scale) {
     scale = value.is_number() ? vec2(to_float(value)) : to_vec2(value);
 }
@@ -121,7 +140,7 @@ Camera to_camera(const TomlValue& table) {
     return camera;
 }
 
-Fog to_fog(const TomlValue& table) {
+Fog to_fog(const TomlValue& table, Warnings& warnings) {
     Fog fog;
     std::vector<Key> keys{
         key("mode", fog.mode,
@@ -129,6 +148,12 @@ Fog to_fog(const TomlValue& table) {
     visit_fog(fog, KeyList{keys});
     read_table(table, keys);
     obey(table, fault_of(fog));
+    if (fog.mode == FogMode::Linear)
+        warn_without_effect(table, {"density"}, "in mode linear; expected mode exp or exp2",
+                            warnings);
+    else
+        warn_without_effect(table, {"start", "end"}, "in this mode; expected mode linear",
+                            warnings);
     return fog;
 }
 
@@ -153,6 +178,7 @@ Light to_light(const TomlValue& table, const LightScene& scene) {
     add_luminous_keys(keys, luminous);
     read_table(table, keys);
     check_kind(table, light);
+    warn_of_kind(table, light, scene.warnings);
     read_luminous(table, luminous, scene, light);
     if (light.kind != LightKind::Directional && scene.origin != dvec3(0))
         light.position = vec3(to_dvec3(*table.find("position")) - scene.origin);

@@ -21,7 +21,7 @@ struct LightScene {
     dvec3 origin = dvec3(0);  ///< positions are counted from it (scene/geometry/far.h)
 };
 Light to_light(const TomlValue& table, const LightScene& scene);
-Fog to_fog(const TomlValue& table);
+Fog to_fog(const TomlValue& table, Warnings& warnings);
 
 /// Changes the fields of `material` whose keys the table has.
 void read_material(const TomlValue& table, Material& material);

@@ -148,7 +148,7 @@ SceneFile read_view(const std::filesystem::path& path, const TomlValue& file) {
                        if (value.kind == TomlKind::Boolean)
                            fog = value.boolean;
                        else
-                           scene.fog = to_fog(value);
+                           scene.fog = to_fog(value, warnings);
                    }},
                   {"lights_off",
                    [&](const TomlValue& value) { off = to_places(value, scene.lights.size()); }},

@@ -271,6 +271,29 @@ TEST_F(Toml, WarnsOfGlareOfAnObjectThatDoesNotEmit) {
     EXPECT_EQ(file(box + "material = {Ke = 1}\n").warnings, Strings());
 }
 
+TEST_F(Toml, WarnsOfKeysThatHaveNoEffectBesideOthers) {
+    const auto warning = [&](const std::string& section) {
+        const SceneFile read = file(section + "\n[[object]]\nshape = 'box'\n");
+        return read.warnings.size() == 1 ? folder.relative(read.warnings[0])
+                                         : std::to_string(read.warnings.size());
+    };
+    const std::string
+        point = " has no effect on a point light; expected position and direction, of a spot",
+        sun = " has no effect on a directional light; expected a point light or a spot";
+    EXPECT_EQ(warning("[[light]]\nposition = [0, 1, 0]\ncone = 20"),
+              "s.toml:3: light.cone" + point);
+    EXPECT_EQ(warning("[[light]]\ndirection = [0, -1, 0]\nattenuation = [1, 0, 1]"),
+              "s.toml:3: light.attenuation" + sun);
+    EXPECT_EQ(warning("[[light]]\nposition = [0, 1, 0]\ndirection = [0, -1, 0]\ncone = 20\n"
+                      "attenuation = [1, 0, 1]"),
+              "0");
+    EXPECT_EQ(warning("[fog]\ndensity = 0.1"),
+              "s.toml:2: fog.density has no effect in mode linear; expected mode exp or exp2");
+    EXPECT_EQ(warning("[fog]\nmode = 'exp'\nend = 9"),
+              "s.toml:3: fog.end has no effect in this mode; expected mode linear");
+    EXPECT_EQ(warning("[fog]\nend = 9"), "0");
+}
+
 TEST_F(Toml, PartsOfGltfKeepTheirPlacesAndMaterials) {
     std::string text =
         replaced(triangle_gltf(), R"({"name": "leaf", "mesh": 0})",
