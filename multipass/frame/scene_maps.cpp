@@ -62,11 +62,7 @@ dvec3 center(const scene::Scene& s, std::size_t index) {
 }
 
 std::array<scene::View, 6> views_from(const dvec3& p, const scene::Scene& s, int size) {
-    const scene::Bounds b = scene::bounds(s);
-    double farthest = 0;
-    for (int k = 0; k < 3; ++k)
-        farthest += std::max(std::abs(b.low[k] - p[k]), std::abs(b.high[k] - p[k]));
-    farthest = std::max(farthest, 1e-6);
+    const double farthest = std::max(scene::reach_around(p, scene::bounds(s)), 1e-6);
     auto views = scene::cube_views(p, farthest * near_part, farthest, size);
     for (scene::View& view : views)
         view = scene::sparing_near(view, s, scene::edge_on_in_map(view));

@@ -63,6 +63,13 @@ DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world) 
     return {nearest, farthest};
 }
 
+double reach_around(const dvec3& p, const Bounds& box) {
+    double reach = 0;
+    for (int k = 0; k < 3; ++k)
+        reach += std::max(std::abs(box.low[k] - p[k]), std::abs(box.high[k] - p[k]));
+    return reach;
+}
+
 bool is_along(const dvec3& view, const dvec3& up) {
     const dvec3 forward = normalized(view);
     return !(length(cross3(forward, up)) > 1e-9 * length(up));

@@ -57,6 +57,9 @@ struct DepthInterval {
 };
 DepthInterval depth_interval(const Bounds& bounds, const dmat4& eye_from_world);
 
+/// A distance from p beyond all of the box: the sum of those along the axes.
+double reach_around(const dvec3& p, const Bounds& box);
+
 /// Whether `up` is parallel to the view but for rounding, or 0.
 bool is_along(const dvec3& view, const dvec3& up);
 

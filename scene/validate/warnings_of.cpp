@@ -144,3 +144,4 @@ std::string empty_picture(const Scene& scene, std::span<const Rgba> picture, int
 }
 
 }  // namespace gw::scene
+    if (by == DrawnBy::Passes) add(cut_by_scene_map(scene));

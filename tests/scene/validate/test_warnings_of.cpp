@@ -91,6 +91,20 @@ TEST(ShadowMaps, DoNotNameWhatASpotLeavesDark) {
     EXPECT_EQ(cut_by_shadow_map(shaded_lamp(LightKind::Point, 0, 10000)), "") << "edge-on";
 }
 
+TEST(SceneMaps, NameWhatIsNearerToAMirrorThanItsMap) {
+    Scene scene = shaded_lamp(LightKind::Point, 0.125f, 10000);
+    scene.lights.clear();
+    add_quad(scene, "mirror", level(10, 1, false));
+    EXPECT_EQ(cut_by_scene_map(scene), "");
+    scene.materials[2].refl = {Map{.from_scene = 64}};
+    EXPECT_EQ(cut_by_scene_map(scene),
+              "object 'mirror': object 'shade' comes as near as 0.125, where it is not reflected: "
+              "the map of the scene begins at 0.3053, a 65536th of the scene's reach; expected a "
+              "renderer by rays");
+    scene.objects.erase(scene.objects.begin());
+    EXPECT_EQ(cut_by_scene_map(scene), "");
+}
+
 TEST(WarningsOf, NameWhatIsNotShown) {
     Scene scene = room(548.8f, true);
     add_quad(scene, "far", {{0, 0, -1e8f}, {1, 0, -1e8f}, {0, 1, -1e8f}, {0, 0, -1e8f}});
