@@ -45,7 +45,7 @@ Light default_light(const Camera& camera) {
     const dmat4 eye_from_world = look_at(camera.eye, camera.at, camera.up);
     const dvec3 travels_eye(0.4, -0.6, -1);
     Light light;
-    light.name = "default";
+    light.name = default_light_name;
     for (int k = 0; k < 3; ++k)  // the inverse of a rotation is its transpose
         light.direction[k] = static_cast<float>(dot3(dvec3(eye_from_world[k]), travels_eye));
     light.Ia = vec3(0.25f);

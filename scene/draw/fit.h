@@ -11,6 +11,7 @@ namespace gw::scene {
 /// Sees all of `bounds` from in front, a little from the right and above, as near as possible.
 Camera fit_camera(const Bounds& bounds, int width, int height);
 
+inline constexpr const char* default_light_name = "default";
 /// A directional light over the viewer's left shoulder: Ia = 0.25, Id = Is = 0.8.
 Light default_light(const Camera& camera);
 

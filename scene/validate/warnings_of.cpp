@@ -3,13 +3,16 @@
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
 #include "scene/draw/corners.h"
+#include "scene/draw/fit.h"
 #include "scene/draw/nearest.h"
+#include "scene/maps/alpha.h"
 #include "scene/text/number.h"
 #include "scene/text/suggest.h"
 #include "scene/validate/coincident.h"
 #include "scene/validate/shadow_maps.h"
 
 #include <algorithm>
+#include <set>
 
 namespace gw::scene {
 namespace {
@@ -52,6 +55,63 @@ std::string without_texcoords(const Scene& scene) {
             return "object " + name_in_quotes(scene, i) + " has no texture coordinates for " +
                    printable(map->file.filename().string()) +
                    ": one texel of it is everywhere; expected some (vt)";
+    }
+    return {};
+}
+
+/// Of 0 to 255.
+constexpr float in_bytes = 16;
+
+std::string colors_in_bytes(const Scene& scene) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Material& m = scene.materials[scene.objects[i].material];
+        const std::pair<const char*, vec3> colors[] = {{"Ka", m.Ka}, {"Kd", m.Kd}, {"Ks", m.Ks}};
+        for (const auto& [name, color] : colors)
+            if (const float most = std::max({color.x, color.y, color.z}); most > in_bytes)
+                return "object " + name_in_quotes(scene, i) + " has " + name + " " +
+                       number_text(double(most)) + ", which is white; expected 0 to 1";
+    }
+    return {};
+}
+
+/// Whether the normals of a triangle's corners look to the side from which it is clockwise.
+bool is_against_normals(const MeshData& mesh, const Triangle& t) {
+    const auto at = [&](std::size_t k) { return dvec3(mesh.positions[t.vertex[k]]); };
+    const dvec3 area = cross3(at(1) - at(0), at(2) - at(0));
+    dvec3 normal(0);
+    for (const std::uint32_t v : t.vertex) normal += dvec3(mesh.normals[v]);
+    return dot3(area, normal) < 0;
+}
+
+std::string normals_against_faces(const Scene& scene) {
+    std::set<const Mesh*> seen;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Mesh& mesh = *scene.objects[i].mesh;
+        if (mesh.data().normals.empty() || !mesh.data().w.empty()) continue;
+        if (!seen.insert(&mesh).second) continue;
+        const auto count = std::ranges::count_if(mesh.triangles(), [&](const Triangle& t) {
+            return is_against_normals(mesh.data(), t);
+        });
+        if (2 * std::size_t(count) > mesh.triangles().size())
+            return "object " + name_in_quotes(scene, i) +
+                   " has faces that are clockwise seen from where their normals point, so it is lit "
+                   "from behind; expected them counter-clockwise";
+    }
+    return {};
+}
+
+std::string unused_alpha(const Scene& scene) {
+    std::set<const Texture*> opaque;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Material& m = scene.materials[scene.objects[i].material];
+        if (m.is_encoded || scene.objects[i].mesh->data().texcoords.empty()) continue;
+        for (const Map& map : m.map_Kd) {
+            if (!map.texture || !opaque.insert(map.texture.get()).second) continue;
+            if (alpha_of(*map.texture).low < 1)
+                return "object " + name_in_quotes(scene, i) + " has a map of Kd, " +
+                       printable(map.file.filename().string()) +
+                       ", whose alpha is not used; expected map_d with it for opacity";
+        }
     }
     return {};
 }
@@ -111,6 +171,17 @@ std::string without_maps(const Scene& scene) {
     return {};
 }
 
+std::string without_unit(const Scene& scene) {
+    const auto is_left_out = [](const Light& light) {
+        return !light.luminous && light.Id != vec3(0) && light.name != default_light_name;
+    };
+    const auto light = std::ranges::find_if(scene.lights, is_left_out);
+    if (light == scene.lights.end()) return {};
+    return (light->name.empty() ? "a light" : "light '" + printable(light->name) + "'") +
+           " is not in candela or lumen, so radiosity leaves it out; expected one of these, or an "
+           "object that emits";
+}
+
 }  // namespace
 
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by) {
@@ -121,14 +192,19 @@ std::vector<std::string> warnings_of(const Scene& scene, const View& view, Drawn
     if (by != DrawnBy::Rays) add(near_warning(scene, view));
     if (by != DrawnBy::Passes) add(lines_and_points(scene));
     if (by == DrawnBy::Passes) add(cut_by_shadow_map(scene));
+    if (by == DrawnBy::Passes) add(cut_by_scene_map(scene));
     if (by == DrawnBy::Passes) add(spot_between_vertices(scene));
     add(without_texcoords(scene));
+    add(unused_alpha(scene));
+    add(colors_in_bytes(scene));
+    add(normals_against_faces(scene));
     add(coincident(scene));
     return lines;
 }
 
 std::vector<std::string> left_out_by_radiosity(const Scene& scene) {
-    std::vector<std::string> lines{opaque_in_radiosity(scene), without_maps(scene)};
+    std::vector<std::string> lines{opaque_in_radiosity(scene), without_maps(scene),
+                                   without_unit(scene)};
     std::erase(lines, "");
     return lines;
 }
@@ -144,4 +220,3 @@ std::string empty_picture(const Scene& scene, std::span<const Rgba> picture, int
 }
 
 }  // namespace gw::scene
-    if (by == DrawnBy::Passes) add(cut_by_scene_map(scene));

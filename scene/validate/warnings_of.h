@@ -20,11 +20,13 @@ enum class DrawnBy {
 };
 
 /// The lines for this scene and view: objects that the near plane or a light's map cuts off,
-/// coincident objects, spots between vertices, maps without
-/// texture coordinates, lines and points that are left out. Empty: nothing to say.
+/// coincident objects, spots between vertices, maps without texture coordinates or with an alpha
+/// that is not used, colours of 0 to 255, normals that look the other way than their faces, lines
+/// and points that are left out. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
-/// What radiosity leaves out of a scene besides: a line for opacity, one for maps of Kd.
+/// What radiosity leaves out of a scene besides: a line each for opacity, maps of Kd and lights
+/// without a unit.
 std::vector<std::string> left_out_by_radiosity(const Scene& scene);
 
 /// A line if no pixel differs from the background though the scene has objects; empty: some do.

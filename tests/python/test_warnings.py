@@ -120,6 +120,14 @@ def test_colors_of_a_mesh_are_named_where_a_material_colours_it():
         gw.Scene().add("scan", gw.Mesh("Triangles", corners, colors=np.ones((3, 4))))
 
 
+def test_a_light_that_radiosity_leaves_out_is_named():
+    scene = gw.Scene()
+    scene.add("lamp", gw.make_room(), gw.SceneMaterial(Kd=(0.5, 0.5, 0.5), Ke=(1, 1, 1)))
+    scene.lights = [gw.SceneLight(name="key")]
+    with pytest.warns(UserWarning, match="light 'key' is not in candela or lumen, so radiosity"):
+        gw.Radiosity(scene, hemicube=16, texels_per_unit=1)
+
+
 def test_bytes_are_colours_from_0_to_255():
     corners = np.zeros((3, 3))
     colors = gw.Mesh("Triangles", corners, colors=np.full((3, 4), 128, np.uint8)).colors

@@ -154,6 +154,12 @@ TEST(WarningsOf, NameASpotBetweenVerticesWherePassesDraw) {
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes), Strings());
 }
 
+void add_texcoords(Object& object) {
+    MeshData data = object.mesh->data();
+    data.texcoords.resize(data.positions.size());
+    object.mesh = make_mesh(data);
+}
+
 TEST(WarningsOf, NameAMapWithoutTextureCoordinates) {
     Scene scene;
     add_quad(scene, "floor", level(0, 5, false));
@@ -168,10 +174,27 @@ TEST(WarningsOf, NameAMapWithoutTextureCoordinates) {
             warnings_of(scene, view, by),
             (Strings{"object 'floor' has no texture coordinates for wood.png: one texel of it "
                      "is everywhere; expected some (vt)"}));
-    MeshData data = scene.objects[0].mesh->data();
-    data.texcoords.resize(4);
-    scene.objects[0].mesh = make_mesh(data);
+    add_texcoords(scene.objects[0]);
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings());
+}
+
+TEST(WarningsOf, NameAMapOfKdWithAnAlphaThatIsNotUsed) {
+    Scene scene;
+    add_quad(scene, "leaf", level(0, 5, false));
+    add_texcoords(scene.objects[0]);
+    const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
+    std::vector<std::uint16_t> texels(8, 65535);
+    const auto warnings = [&] {
+        scene.materials[0].map_Kd = {
+            Map{.file = "maps/leaf.png", .texture = make_texture("leaf", 2, 1, texels)}};
+        return warnings_of(scene, view, DrawnBy::Passes);
+    };
+    EXPECT_EQ(warnings(), Strings()) << "opaque";
+    texels[7] = 0;
+    EXPECT_EQ(warnings(), (Strings{"object 'leaf' has a map of Kd, leaf.png, whose alpha is not "
+                                   "used; expected map_d with it for opacity"}));
+    scene.materials[0].is_encoded = true;
+    EXPECT_EQ(warnings(), Strings()) << "glTF's alphaMode says whether alpha counts";
 }
 
 TEST(WarningsOf, NameWhatRadiosityLeavesOut) {
@@ -184,6 +207,44 @@ TEST(WarningsOf, NameWhatRadiosityLeavesOut) {
                   "object 'ceiling' has opacity 0.5; radiosity takes it as opaque: expected d 1",
                   "object 'ceiling' has a map of Kd, wood.png; radiosity reflects the mean of "
                   "its texels everywhere: expected no map"}));
+}
+
+TEST(WarningsOf, NameColorsOf255) {
+    Scene scene = room(548.7f, true);
+    const View view = fitted_view({.eye = dvec3(0, 5, 800)}, scene, bounds(scene), 32, 24);
+    scene.materials[1].Kd = {1.5f, 0, 0};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings()) << "a bright surface";
+    scene.materials[1].Kd = {128, 0, 255};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays),
+              (Strings{"object 'ceiling' has Kd 255, which is white; expected 0 to 1"}));
+}
+
+TEST(WarningsOf, NameNormalsThatLookTheOtherWayThanTheirFaces) {
+    Scene scene;
+    add_quad(scene, "floor", level(0, 5, false));
+    const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
+    MeshData data = scene.objects[0].mesh->data();
+    data.normals.assign(4, {0, 1, 0});
+    scene.objects[0].mesh = make_mesh(data);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes), Strings());
+    data.normals.assign(4, {0, -1, 0});
+    scene.objects[0].mesh = make_mesh(data);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Passes),
+              (Strings{"object 'floor' has faces that are clockwise seen from where their normals "
+                       "point, so it is lit from behind; expected them counter-clockwise"}));
+}
+
+TEST(WarningsOf, NameALightThatRadiosityLeavesOut) {
+    Scene scene = room(548.7f, true);
+    scene.lights = {{.name = "highlights", .Id = {0, 0, 0}},
+                    {.name = "lamp", .luminous = Luminous{}},
+                    default_light({})};
+    EXPECT_EQ(left_out_by_radiosity(scene), Strings());
+    scene.lights.push_back({.name = "key"});
+    EXPECT_EQ(
+        left_out_by_radiosity(scene),
+        (Strings{"light 'key' is not in candela or lumen, so radiosity leaves it out; expected "
+                 "one of these, or an object that emits"}));
 }
 
 TEST(EmptyPicture, IsOneOfTheBackgroundAlone) {
