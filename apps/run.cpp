@@ -41,13 +41,14 @@ std::optional<std::string> mistyped(const CLI::App& app) {
     std::vector<std::string> words = at.remaining();
     std::erase(words, "--");  // CLI11 keeps the mark, though not the words behind it
     if (words.empty()) return {};
+    if (&at == &app && words.front()[0] != '-')
+        return scene::unknown("command", words.front(), command_names(app));
     const auto option =
         std::find_if(words.begin(), words.end(), [](const std::string& w) { return w[0] == '-'; });
     if (option != words.end()) {
         const std::string name = option->substr(0, option->find('='));
         return scene::unknown("option", name, long_names(at));
     }
-    if (&at == &app) return scene::unknown("command", words.front(), command_names(app));
     return "unexpected word '" + scene::printable(words.front()) + "' after gw " + at.get_name() +
            "; expected what gw " + at.get_name() + " --help lists";
 }
@@ -69,7 +70,8 @@ void check_values(const CLI::App& command) {
                                  option->get_type_name());
             if (values[i] == "-")
                 throw UsageError(option->get_name() +
-                                 " is '-', no standard input or output here; " + "expected " +
+                                 " is '-', but no command reads or writes standard streams; "
+                                 "expected " +
                                  option->get_type_name());
         }
     }

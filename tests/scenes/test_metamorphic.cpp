@@ -3,20 +3,16 @@
 // why not. Scenes are random, or those of scenes/hidden.
 #include "gw/machine.h"
 #include "hiddensurface/run/compare.h"
-#include "hiddensurface/run/scan_line_renderer.h"
-#include "itembuffer/adaptive.h"
-#include "itembuffer/superposed_ray_tracer.h"
-#include "multipass/frame/driver.h"
 #include "scene/draw/fit.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/read_scene.h"
 #include "test_paths.h"
+#include "tests/scenes/pictures.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <random>
@@ -24,8 +20,6 @@
 
 namespace gw {
 namespace {
-
-constexpr int width = 64, height = 48;
 
 struct Face {
     std::vector<dvec3> corners;
@@ -104,31 +98,6 @@ std::filesystem::path write(const TemporaryFolder& folder, const std::string& na
                             ".obj\"\n");
 }
 
-using Picture = std::vector<Rgba>;
-using Pictures = std::map<std::string, Picture>;
-
-Pictures pictures_of(const std::filesystem::path& file) {
-    scene::Scene s = scene::read_scene(file).scene;
-    scene::add_defaults(s, width, height);
-    const scene::View view = scene::make_view(s, width, height);
-    const auto machine = make_fast(vgx(), width, height, {.threads = 1});
-    Pictures pictures;
-    const auto draw = [&](const std::string& name, const std::function<void()>& by) {
-        by();
-        pictures[name] = machine->planes().color;
-    };
-    draw("hardware", [&] {
-        multipass::render(*machine, s, view, {.renderer = multipass::Renderer::Hardware});
-    });
-    draw("multipass", [&] { itembuffer::render(*machine, s, view, {}, {}); });
-    draw("scanline",
-         [&] { machine->execute(hiddensurface::scan_line_picture(s, view, machine->profile())); });
-    draw("raytrace",
-         [&] { itembuffer::superpose_ray_traced(*machine, s, view, 1, {.threads = 1}, false); });
-    draw("adaptive", [&] { itembuffer::render_adaptive(*machine, s, view, 1, {.threads = 1}); });
-    return pictures;
-}
-
 /// Of every hidden-surface algorithm.
 std::map<std::string, hiddensurface::Counts> counts_of(const std::filesystem::path& file) {
     scene::Scene s = scene::read_scene(file).scene;
@@ -141,34 +110,6 @@ std::map<std::string, hiddensurface::Counts> counts_of(const std::filesystem::pa
     for (const hiddensurface::Algorithm& algorithm : hiddensurface::algorithms())
         counts[algorithm.name] = hiddensurface::run_on(*machine, algorithm, input, none).counts;
     return counts;
-}
-
-/// Pixels that differ by more than `units` in a channel.
-int differing(const Picture& a, const Picture& b, int units = 0) {
-    int count = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        bool differs = false;
-        for (std::size_t k = 0; k < 3; ++k)
-            differs = differs || std::abs(int(a[i][k]) - int(b[i][k])) > units;
-        count += differs;
-    }
-    return count;
-}
-
-struct Bound {
-    int pixels = 0, units = 0;
-    int ray_units = 0;  ///< rays meet faces at points in double, which round otherwise elsewhere
-};
-void expect_alike(const Pictures& a, const Pictures& b, const std::string& what,
-                  const Bound& bound = {}) {
-    for (const auto& [name, picture] : a) {
-        const bool rays = name == "raytrace" || name == "adaptive";
-        const int units = rays ? std::max(bound.units, bound.ray_units) : bound.units;
-        EXPECT_LE(differing(picture, b.at(name), units), bound.pixels) << what << ", " << name;
-        const Picture background(picture.size(), picture.front());
-        EXPECT_GT(differing(picture, background), 100)
-            << what << ", " << name << ": an empty picture";
-    }
 }
 
 void expect_same_counts(const std::filesystem::path& a, const std::filesystem::path& b,

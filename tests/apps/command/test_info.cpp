@@ -36,6 +36,7 @@ TEST_F(Info, ReportsAFullDiskBehindStandardOutput) {
 
 TEST_F(Usage, SuggestsTheNearestCommandAndOption) {
     expect_refused(2, {"inof"}, {"unknown command 'inof'", "'info'"});
+    expect_refused(2, {"rendr", "a.obj", "-o", "a.png"}, {"unknown command 'rendr'", "'render'"});
     expect_refused(2, {"info", "--jsn"}, {"unknown option '--jsn'", "'--json'"});
     expect_refused(2, {"info", "--jsn=1"}, {"unknown option '--jsn'", "'--json'"});
     expect_refused(2, {"--verison"}, {"unknown option '--verison'", "'--version'"});
