@@ -121,6 +121,8 @@ std::optional<int> line_beyond_utf8(std::string_view text) {
 }
 
 std::string utf8_of_statements(const std::string& file, std::string text) {
+    constexpr std::string_view marks_of_end("\x1a\0", 2);
+    text.resize(text.find_last_not_of(marks_of_end) + 1);
     if (is_utf8(text)) return text;
     const auto as_it_is = [](std::string_view line) {
         return is_utf8(line) ? std::optional<std::string>(line) : std::nullopt;

@@ -12,8 +12,9 @@ namespace gw::scene {
 std::optional<int> line_beyond_utf8(std::string_view text);
 
 /// The text of a file of statements in UTF-8. A text that is not UTF-8 is read as Shift-JIS (CP932)
-/// if all of its lines are; comment lines do not count, and lose the bytes that fit neither. Throws
-/// Error "file:line: ..." for a text that is neither.
+/// if all of its lines are; comment lines do not count, and lose the bytes that fit neither. What
+/// DOS put behind a text, ^Z and zeros, is left out. Throws Error "file:line: ..." for a text that
+/// is neither.
 std::string utf8_of_statements(const std::string& file, std::string text);
 
 /// A name in Shift-JIS (CP932), as archives unpacked from Windows write it on the disk; none: it

@@ -71,6 +71,14 @@ TEST_F(Encoding, CommentsMayHaveAnyBytes) {
     EXPECT_EQ(file.parts.at(0).name, table) << "a comment does not change the encoding of names";
 }
 
+TEST_F(Encoding, WhatDosPutBehindATextIsNoStatement) {
+    const std::string zeros(40, '\0');
+    for (const std::string& end : {std::string("\x1a"), "\n\x1a" + zeros, zeros})
+        EXPECT_EQ(folder.obj(triangle + "f 1 2 3" + end).parts.at(0).mesh.indices.size(), 3u);
+    EXPECT_EQ(folder.obj_error(triangle + "f 1 2 3\n\x1a\nf 1 2 3\n"),
+              "m.obj:5: unknown statement '\\x1a'; the nearest known is 'v'");
+}
+
 /// All first bytes, and second bytes on the borders of their ranges: against glibc's own reading of
 /// whole characters.
 TEST(LineBeyondUtf8, FindsEveryMalformedSequence) {
