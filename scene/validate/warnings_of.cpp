@@ -62,16 +62,25 @@ std::string without_texcoords(const Scene& scene) {
 /// Of 0 to 255.
 constexpr float in_bytes = 16;
 
+std::string color_in_bytes(const std::string& whose, const vec3& color) {
+    const float most = std::max({color.x, color.y, color.z});
+    return most > in_bytes
+               ? whose + " " + number_text(double(most)) + "; expected 0 to 1, not 0 to 255"
+               : std::string();
+}
+
 std::string colors_in_bytes(const Scene& scene) {
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    std::string line = color_in_bytes("the background is", scene.background);
+    if (line.empty() && scene.fog) line = color_in_bytes("the fog is", scene.fog->color);
+    for (std::size_t i = 0; i < scene.objects.size() && line.empty(); ++i) {
         const Material& m = scene.materials[scene.objects[i].material];
-        const std::pair<const char*, vec3> colors[] = {{"Ka", m.Ka}, {"Kd", m.Kd}, {"Ks", m.Ks}};
-        for (const auto& [name, color] : colors)
-            if (const float most = std::max({color.x, color.y, color.z}); most > in_bytes)
-                return "object " + name_in_quotes(scene, i) + " has " + name + " " +
-                       number_text(double(most)) + ", which is white; expected 0 to 1";
+        const std::pair<const char*, vec3> colors[] = {
+            {" has Ka", m.Ka}, {" has Kd", m.Kd}, {" has Ks", m.Ks}};
+        for (const auto& [has, color] : colors)
+            if (line.empty())
+                line = color_in_bytes("object " + name_in_quotes(scene, i) + has, color);
     }
-    return {};
+    return line;
 }
 
 /// Whether the normals of a triangle's corners look to the side from which it is clockwise.

@@ -216,7 +216,13 @@ TEST(WarningsOf, NameColorsOf255) {
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays), Strings()) << "a bright surface";
     scene.materials[1].Kd = {128, 0, 255};
     EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays),
-              (Strings{"object 'ceiling' has Kd 255, which is white; expected 0 to 1"}));
+              (Strings{"object 'ceiling' has Kd 255; expected 0 to 1, not 0 to 255"}));
+    scene.fog = Fog{.color = vec3(128)};
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays),
+              (Strings{"the fog is 128; expected 0 to 1, not 0 to 255"}));
+    scene.background = vec3(255, 0, 0);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays),
+              (Strings{"the background is 255; expected 0 to 1, not 0 to 255"}));
 }
 
 TEST(WarningsOf, NameNormalsThatLookTheOtherWayThanTheirFaces) {
