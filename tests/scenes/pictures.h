@@ -7,21 +7,17 @@
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "scene/draw/fit.h"
-#include "scene/toml/read_scene.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace gw {
-
-inline constexpr int width = 64, height = 48;
 
 using Picture = std::vector<Rgba>;
 using Pictures = std::map<std::string, Picture>;
@@ -45,9 +41,6 @@ inline Pictures pictures_of(scene::Scene s, int width, int height) {
          [&] { itembuffer::superpose_ray_traced(*machine, s, view, 1, {.threads = 1}, false); });
     draw("adaptive", [&] { itembuffer::render_adaptive(*machine, s, view, 1, {.threads = 1}); });
     return pictures;
-}
-inline Pictures pictures_of(const std::filesystem::path& file) {
-    return pictures_of(scene::read_scene(file).scene, width, height);
 }
 
 /// Pixels that differ by more than `units` in a channel.

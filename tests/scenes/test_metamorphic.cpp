@@ -21,6 +21,12 @@
 namespace gw {
 namespace {
 
+constexpr int width = 64, height = 48;
+
+Pictures pictures_of(const std::filesystem::path& file) {
+    return gw::pictures_of(scene::read_scene(file).scene, width, height);
+}
+
 struct Face {
     std::vector<dvec3> corners;
     std::string group, material;
