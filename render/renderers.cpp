@@ -5,6 +5,7 @@
 #include "itembuffer/superposed_ray_tracer.h"
 #include "multipass/frame/driver.h"
 #include "multipass/frame/superpose.h"
+#include "raytrace/tracer/traced_material.h"
 #include "render/words/option_values.h"
 
 #include <fmt/format.h>
@@ -58,9 +59,16 @@ void draw_adaptive(Machine& machine, const scene::Scene& scene, const scene::Vie
     itembuffer::render_adaptive(machine, scene, view, options.multipass.samples, options.rays);
 }
 
+bool has_map(const scene::Material& m) {
+    const auto maps = {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.refl, &m.refraction};
+    return std::ranges::any_of(maps, [](const auto* list) { return !list->empty(); });
+}
+
 bool has_effect(const std::string& name, const scene::Scene& scene) {
     if (name == "translucency") return multipass::has_translucent(scene);
     if (name == "fog") return scene.fog.has_value();
+    if (name == "reflections") return raytrace::any_traced(scene);
+    if (name == "maps") return std::ranges::any_of(scene.materials, has_map);
     if (name == "glare")
         return std::ranges::any_of(scene.objects,
                                    [](const scene::Object& o) { return o.glare.has_value(); });
@@ -87,7 +95,7 @@ const std::vector<Renderer>& renderers() {
          "equation 1, everything in one pass; no shadows",
          draw_hardware,
          multipass::Renderer::Hardware,
-         {"shadows", "glare", "reflection_in_shadow = false"}},
+         {"shadows", "reflections", "glare", "reflection_in_shadow = false"}},
         {"multipass",
          "equations 2, 4 and 5, a pass for each component, reflections by rays (default)",
          draw_multipass, multipass::Renderer::Multipass},
@@ -95,7 +103,7 @@ const std::vector<Renderer>& renderers() {
          "equation 3 at every pixel of a scan line's spans; no shadows",
          draw_scan_lines,
          {},
-         {"shadows", "translucency", "fog", "glare", "reflection_in_shadow = false"},
+         {"shadows", "reflections", "translucency", "fog", "glare", "reflection_in_shadow = false"},
          scene::DrawnBy::Depth},
         {"raytrace", "the ordinary ray tracer", draw_rays, {}, {"glare"}, scene::DrawnBy::Rays},
         {"adaptive",
@@ -119,13 +127,17 @@ std::vector<std::string> renderer_names() {
     return names;
 }
 
-std::string left_out(const Renderer& renderer, const scene::Scene& scene) {
+std::string left_out(const std::string& who, const std::vector<std::string>& effects,
+                     const scene::Scene& scene) {
     std::vector<std::string> names;
-    for (const std::string& name : renderer.leaves_out)
+    for (const std::string& name : effects)
         if (has_effect(name, scene)) names.push_back(name);
     if (names.empty()) return "";
-    return fmt::format("renderer '{}' leaves out of this scene: {}", renderer.name,
-                       fmt::join(names, ", "));
+    return fmt::format("{} leaves out of this scene: {}", who, fmt::join(names, ", "));
+}
+
+std::string left_out(const Renderer& renderer, const scene::Scene& scene) {
+    return left_out("renderer '" + renderer.name + "'", renderer.leaves_out, scene);
 }
 
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,

@@ -41,8 +41,14 @@ const std::vector<Renderer>& renderers();
 /// Throws OptionError if there is none of this name.
 const Renderer& renderer_named(const std::string& name);
 std::vector<std::string> renderer_names();
-/// A line that names the scene's effects that the renderer does not draw; empty: it draws all.
+/// A line that names those of the effects that the scene has, "gw cast leaves out of this scene:
+/// fog"; empty: it has none.
+std::string left_out(const std::string& who, const std::vector<std::string>& effects,
+                     const scene::Scene& scene);
+/// The same for those that the renderer does not draw.
 std::string left_out(const Renderer& renderer, const scene::Scene& scene);
+/// What hidden-surface algorithms leave out: faces are opaque, seen from a point at an instant.
+inline const std::vector<std::string> left_out_by_algorithms{"translucency", "motion", "aperture"};
 /// The options' passes if they have any, else those of the renderer for the scene. The renderer
 /// must have passes.
 multipass::PassList pass_list(const Renderer& renderer, const scene::Scene& scene,

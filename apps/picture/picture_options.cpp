@@ -74,9 +74,11 @@ scene::Scene ready_scene(const PictureOptions& options, render::SceneInput input
     return as_usage([&] { return render::scene_for(options, std::move(input)); });
 }
 
-scene::Scene load_scene(const PictureOptions& options, Session& session, scene::DrawnBy by) {
+scene::Scene load_scene(const PictureOptions& options, Session& session, const SceneUse& use) {
     scene::Scene scene = ready_scene(options, read_input(options, session));
-    if (!options.quiet) print_warnings_of(scene, options.size, by);
+    if (options.quiet) return scene;
+    print_warnings({render::left_out("gw " + session.words.front(), use.leaves_out, scene)});
+    print_warnings_of(scene, options.size, use.by);
     return scene;
 }
 

@@ -6,6 +6,7 @@
 #include "apps/command/option_values.h"
 #include "gw/machine.h"
 #include "render/drawing.h"
+#include "render/renderers.h"
 #include "scene/validate/warnings_of.h"
 
 #include <memory>
@@ -29,9 +30,13 @@ void remove_pass_options(CLI::App& command);
 render::SceneInput read_input(const PictureOptions& options, Session& session);
 /// render::scene_for; throws UsageError.
 scene::Scene ready_scene(const PictureOptions& options, render::SceneInput input);
-/// Both. Prints also what a picture of the scene that is drawn so will not show, unless quiet.
-scene::Scene load_scene(const PictureOptions& options, Session& session,
-                        scene::DrawnBy by = scene::DrawnBy::Depth);
+/// How a command uses a scene; by default as hidden-surface algorithms do.
+struct SceneUse {
+    scene::DrawnBy by = scene::DrawnBy::Depth;
+    std::vector<std::string> leaves_out = render::left_out_by_algorithms;
+};
+/// Both. Prints also what a picture of the scene that is used so lacks, unless quiet.
+scene::Scene load_scene(const PictureOptions& options, Session& session, const SceneUse& use = {});
 
 /// The profile, an input of the session if it is a file. If it cannot superpose that many samples,
 /// throws UsageError, or Error for a profile from a file.

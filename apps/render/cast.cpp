@@ -63,7 +63,10 @@ int cast(const CastOptions& options, Session& session) {
     if (options.output == options.tests)
         throw UsageError("--output and --tests are the same file; expected two");
     const Progress progress("casting", options.picture.quiet);
-    const scene::Scene scene = load_scene(options.picture, session, scene::DrawnBy::Rays);
+    const scene::Scene scene = load_scene(
+        options.picture, session,
+        {scene::DrawnBy::Rays,
+         {"shadows", "reflections", "maps", "translucency", "fog", "glare", "motion", "aperture"}});
     session.inputs.check(options.output);
     session.inputs.check(options.tests);
     const Size size = options.picture.size;

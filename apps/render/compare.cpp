@@ -79,7 +79,9 @@ std::string counts_csv(const itembuffer::Differences& d) {
 int compare(const CompareOptions& options, Session& session) {
     const Progress progress("drawing both ways", options.picture.quiet);
     const Profile profile = load_profile(options.picture, session);
-    const scene::Scene scene = load_scene(options.picture, session);
+    const scene::Scene scene =
+        load_scene(options.picture, session,
+                   {scene::DrawnBy::Depth, {"motion", "aperture", "soft lights", "glare"}});
     const Size size = options.picture.size;
     image::OutputSet output(session.inputs);
     output.make_folder(options.folder);

@@ -6,6 +6,7 @@
 #include "hiddensurface/run/play.h"
 #include "hiddensurface/run/step_json.h"
 #include "hiddensurface/run/step_words.h"
+#include "render/renderers.h"
 #include "scene/validate/warnings_of.h"
 
 #include "python/binding/arrays.h"
@@ -51,6 +52,10 @@ RunRef projected(const scene::Scene& scene, const std::optional<scene::Camera>& 
 
 RunRef with_warnings(RunRef run) {
     const SceneInView& now = run->in_view;
+    std::vector<std::string> lines{
+        render::left_out("gw.hidden", render::left_out_by_algorithms, now.scene)};
+    std::erase(lines, "");
+    warn(lines);
     warn(without_lock(
         [&] { return scene::warnings_of(now.scene, now.view, scene::DrawnBy::Depth); }));
     return run;

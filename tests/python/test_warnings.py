@@ -120,6 +120,13 @@ def test_colors_of_a_mesh_are_named_where_a_material_colours_it():
         gw.Scene().add("scan", gw.Mesh("Triangles", corners, colors=np.ones((3, 4))))
 
 
+def test_opacity_is_named_where_hidden_surfaces_are_opaque():
+    scene = gw.Scene()
+    scene.add("pane", gw.make_box(), gw.SceneMaterial(d=0.5))
+    with pytest.warns(UserWarning, match="^gw.hidden leaves out of this scene: translucency$"):
+        gw.hidden.run(scene, "newell", width=16, height=12)
+
+
 def test_a_light_that_radiosity_leaves_out_is_named():
     scene = gw.Scene()
     scene.add("lamp", gw.make_room(), gw.SceneMaterial(Kd=(0.5, 0.5, 0.5), Ke=(1, 1, 1)))

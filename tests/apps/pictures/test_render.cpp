@@ -226,6 +226,9 @@ protected:
          {.scene = "reflection_in_shadow = true", .light = volume},
          {.scene = "reflection_in_shadow = false", .light = volume}},
         {"shadows", {}, {.light = volume}},
+        {"reflections",
+         {.scene = "background = 0.5", .square = "Ks = 0.5"},
+         {.scene = "background = 0.5", .square = "Ks = 0.5\nillum = 3"}},
         {"motion", {.object = "move = [0.5, 0, 0]"}, {.object = "move = [1, 0, 0]"}},
         {"aperture",
          {.camera = "fov = 45\naperture = 0.1"},
@@ -296,7 +299,25 @@ TEST_F(LeftOut, IsSaidExactlyWhereThePictureLacksTheEffect) {
             warnings += lacks;
         }
     }
-    EXPECT_EQ(warnings, 3 + 5 + 1 + 5) << "of hardware, scanline, raytrace and adaptive";
+    EXPECT_EQ(warnings, 4 + 6 + 1 + 5) << "of hardware, scanline, raytrace and adaptive";
+}
+
+TEST_F(LeftOut, IsSaidByCommandsToo) {
+    const std::string says = " leaves out of this scene: ";
+    draw({.square = "d = 0.5", .light = volume, .object = "move = [1, 0, 0]"}, "raytrace", "a.png");
+    const auto said = [&](std::vector<std::string> command) {
+        command.insert(command.begin() + 1, {"s.toml", "--size", "8x6"});
+        const Outcome outcome = gw(command);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_EQ(said({"cast", "-o", "a.png"}),
+              "gw: warning: gw cast" + says + "shadows, maps, translucency, motion\n");
+    EXPECT_EQ(said({"hidden", "--algorithm", "newell"}),
+              "gw: warning: gw hidden" + says + "translucency, motion\n");
+    EXPECT_EQ(said({"compare", "-o", "differences"}),
+              "gw: warning: gw compare" + says + "motion\n");
+    EXPECT_EQ(said({"cast", "-o", "a.png", "--quiet"}), "");
 }
 
 TEST_F(LeftOut, IsOneLineForAllEffects) {
