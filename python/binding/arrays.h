@@ -46,10 +46,18 @@ inline std::string shape_text(const py::array& array) {
     return py::str(py::object(array.attr("shape"))).cast<std::string>();
 }
 
-/// NumPy's array of an object; `name` is the argument's. Throws Error if it is none, and MemoryError
-/// if NumPy has no memory for it.
+/// An array of numpy.ma of which some elements are missing.
+inline bool is_masked(const py::object& object) {
+    return py::isinstance<py::array>(object) && py::hasattr(object, "mask") &&
+           object.attr("mask").attr("any")().cast<bool>();
+}
+
+/// NumPy's array of an object; `name` is the argument's. Throws Error if it is none or is masked,
+/// and MemoryError if NumPy has no memory for it.
 template <class Array = py::array>
 Array array_from(const py::object& object, const char* name) {
+    if (is_masked(object))
+        throw Error(std::string(name) + ": has masked elements; expected none, as filled() gives");
     try {
         return Array(object);
     } catch (py::error_already_set& error) {

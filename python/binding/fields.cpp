@@ -9,6 +9,7 @@ std::string class_name(const py::object& object) {
 
 std::string expectation(const py::object& old) {
     if (py::isinstance<py::bool_>(old)) return "bool";
+    if (py::isinstance<py::tuple>(old)) return std::to_string(py::len(old)) + " numbers";
     return class_name(old);
 }
 

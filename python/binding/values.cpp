@@ -6,6 +6,7 @@
 #include "python/binding/fields.h"
 #include "python/binding/interpreter/warn.h"
 #include "python/binding/module.h"
+#include "scene/validate/warnings_of.h"
 
 #include <fmt/format.h>
 
@@ -37,9 +38,15 @@ void warn_of_rounding(const py::object& object) {
 /// Bytes are 0 .. 255, as in textures.
 std::vector<vec4> vertex_colors(const py::object& object) {
     std::vector<vec4> colors = elements_of<vec4, float>(object, 4, "colors");
-    if (object.is_none() || !array_from(object, "colors").dtype().is(py::dtype::of<std::uint8_t>()))
+    if (object.is_none()) return colors;
+    if (array_from(object, "colors").dtype().is(py::dtype::of<std::uint8_t>())) {
+        for (vec4& color : colors) color /= 255.0f;
         return colors;
-    for (vec4& color : colors) color /= 255.0f;
+    }
+    float most = 0;
+    for (const vec4& color : colors) most = std::max({most, color.x, color.y, color.z, color.w});
+    if (most > scene::in_bytes)
+        warn({fmt::format("colors: {:.9g}; expected 0 to 1, or bytes (uint8) of 0 to 255", most)});
     return colors;
 }
 

@@ -55,7 +55,7 @@ def picture(plane: NDArray[Any], bits: int = 8, zoom: int = 1) -> Picture:
     """A plane as a picture: colours (height, width, 3 or 4) of `bits` bits, or one value a pixel,
     which is stretched from the least (black) to the greatest (white). Alpha is left out."""
     plane = np.asarray(plane)
-    if plane.ndim == 3 and plane.shape[2] in (3, 4):
+    if plane.ndim == 3 and plane.shape[2] in (3, 4) and plane.size:
         colors = plane[::-1, :, :3]
         _check_colors(colors, bits)
         if bits == 8:
@@ -64,6 +64,8 @@ def picture(plane: NDArray[Any], bits: int = 8, zoom: int = 1) -> Picture:
                        zoom)
     if plane.ndim == 2 and plane.size:
         values = plane[::-1].astype(np.float64)
+        if not np.isfinite(values).all():
+            raise Error("plane: values that are not finite; expected numbers")
         low, high = values.min(), values.max()
         return Picture(((values - low) * (255 / (high - low or 1))).astype(np.uint8), zoom)
     raise Error(
@@ -76,7 +78,7 @@ def _check_colors(colors: NDArray[Any], bits: int) -> None:
     if colors.dtype.kind not in "iub":
         raise Error(f"plane: colours of type {colors.dtype}; expected whole numbers")
     most = (1 << bits) - 1
-    if colors.size and (colors.min() < 0 or colors.max() > most):
+    if colors.min() < 0 or colors.max() > most:
         raise Error(
             f"plane: colours from {colors.min()} to {colors.max()}; expected 0 .. {most}, or bits = "
             "the plane's bits a channel")

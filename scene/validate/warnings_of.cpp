@@ -59,9 +59,6 @@ std::string without_texcoords(const Scene& scene) {
     return {};
 }
 
-/// Of 0 to 255.
-constexpr float in_bytes = 16;
-
 std::string color_in_bytes(const std::string& whose, const vec3& color) {
     const float most = std::max({color.x, color.y, color.z});
     return most > in_bytes
@@ -105,6 +102,18 @@ std::string normals_against_faces(const Scene& scene) {
             return "object " + name_in_quotes(scene, i) +
                    " has faces that are clockwise seen from where their normals point, so it is lit "
                    "from behind; expected them counter-clockwise";
+    }
+    return {};
+}
+
+/// OBJ's and glTF's readers let the faces' own stand in.
+std::string normals_of_length_0(const Scene& scene) {
+    std::set<const Mesh*> seen;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Mesh& mesh = *scene.objects[i].mesh;
+        if (seen.insert(&mesh).second && std::ranges::count(mesh.data().normals, vec3(0)) > 0)
+            return "object " + name_in_quotes(scene, i) +
+                   " has normals of length 0, which no light reaches; expected others, or none";
     }
     return {};
 }
@@ -207,6 +216,7 @@ std::vector<std::string> warnings_of(const Scene& scene, const View& view, Drawn
     add(unused_alpha(scene));
     add(colors_in_bytes(scene));
     add(normals_against_faces(scene));
+    add(normals_of_length_0(scene));
     add(coincident(scene));
     return lines;
 }

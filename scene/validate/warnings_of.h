@@ -19,10 +19,13 @@ enum class DrawnBy {
     Rays,    ///< faces only
 };
 
+/// A colour above is taken to be one of 0 to 255.
+inline constexpr float in_bytes = 16;
+
 /// The lines for this scene and view: objects that the near plane or a light's map cuts off,
 /// coincident objects, spots between vertices, maps without texture coordinates or with an alpha
-/// that is not used, colours of 0 to 255, normals that look the other way than their faces, lines
-/// and points that are left out. Empty: nothing to say.
+/// that is not used, colours of 0 to 255, normals of length 0 or that look the other way than their
+/// faces, lines and points that are left out. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
 /// What radiosity leaves out of a scene besides: a line each for opacity, maps of Kd and lights

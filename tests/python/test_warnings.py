@@ -138,6 +138,8 @@ def test_a_light_that_radiosity_leaves_out_is_named():
 def test_bytes_are_colours_from_0_to_255():
     corners = np.zeros((3, 3))
     colors = gw.Mesh("Triangles", corners, colors=np.full((3, 4), 128, np.uint8)).colors
+    with pytest.warns(UserWarning, match="^colors: 255; expected 0 to 1, or bytes"):
+        gw.Mesh("Triangles", corners, colors=np.full((3, 4), 255))
     assert np.allclose(colors, 128 / 255)
     assert gw.Mesh("Triangles", corners, colors=np.ones((3, 4))).colors.max() == 1
 

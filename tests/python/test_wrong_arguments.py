@@ -79,6 +79,10 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.Machine("indigo", 8, 8), "unknown profile 'indigo'; expected vgx, reality"),
     (lambda: gw.render(scene_with(), 8, 8, profile="vgx,bits=3"), "^[^\\n]*bits[^\\n]*$"),
     (lambda: gw.Mesh("Squares", [[0, 0, 0]]), "Primitive has no 'Squares'; expected Points, Lines"),
+    (lambda: gw.Mesh("Points", np.ma.array(np.zeros((1, 3)), mask=[[0, 1, 0]])),
+     r"positions: has masked elements; expected none, as filled\(\) gives"),
+    (lambda: gw.picture(np.zeros((0, 5, 3), np.uint8)), r"plane: an array of shape \(0, 5, 3\)"),
+    (lambda: gw.picture(np.full((4, 5), np.nan)), "plane: values that are not finite"),
     (lambda: gw.Machine(threads=10**6), "threads: 1000000; expected a whole number from 0 to 1024"),
     (lambda: gw.Renderer(scene_with(), samples=0), "samples '0': expected a whole number, 1..32768"),
     (lambda: gw.Renderer(scene_with(), depth=-1), "depth '-1': expected a whole number, 1..64"),
@@ -86,6 +90,7 @@ def test_lists_of_a_value_are_copies_that_outlive_it():
     (lambda: gw.CommandList().write_spans([[0, 0, 1.5, 0]], [[0, 0, 0, 0]]), "whole numbers"),
     (lambda: gw.CommandList().draw(None), "incompatible function arguments"),
     (lambda: setattr(gw.SceneMaterial(), "map_Kd", [None]), "expected a Texture"),
+    (lambda: gw.SceneMaterial(Kd=0.5), r"SceneMaterial.Kd: got 0.5; expected 3 numbers"),
     (lambda: gw.hidden.run(scene_with(), "newell").sentence(0, "fr"),
      "language: 'fr'; expected en or ja"),
 ])

@@ -240,6 +240,19 @@ TEST(WarningsOf, NameNormalsThatLookTheOtherWayThanTheirFaces) {
                        "point, so it is lit from behind; expected them counter-clockwise"}));
 }
 
+TEST(WarningsOf, NameNormalsOfLength0) {
+    Scene scene;
+    add_quad(scene, "floor", level(0, 5, false));
+    const View view = fitted_view({.eye = dvec3(0, 5, 8)}, scene, bounds(scene), 32, 24);
+    MeshData data = scene.objects[0].mesh->data();
+    data.normals.assign(4, {0, 1, 0});
+    data.normals[2] = vec3(0);
+    scene.objects[0].mesh = make_mesh(data);
+    EXPECT_EQ(warnings_of(scene, view, DrawnBy::Rays),
+              (Strings{"object 'floor' has normals of length 0, which no light reaches; expected "
+                       "others, or none"}));
+}
+
 TEST(WarningsOf, NameALightThatRadiosityLeavesOut) {
     Scene scene = room(548.7f, true);
     scene.lights = {{.name = "highlights", .Id = {0, 0, 0}},
