@@ -38,8 +38,8 @@ TEST_F(Inputs, OfASceneStayAsTheyAre) {
     }
     expect_kept({"render", "mine.toml", "-o", "map.png"}, "map.png");
     expect_kept({"render", "mine.toml", "-o", "link.png"}, "map.png");
-    expect_kept({"cast", "mine.toml", "-o", "map.png"}, "map.png");
-    expect_kept({"cast", "mine.toml", "-o", "a.png", "--tests", "map.png"}, "map.png");
+    expect_kept({"cast", "mine.toml", "--quiet", "-o", "map.png"}, "map.png");
+    expect_kept({"cast", "mine.toml", "--quiet", "-o", "a.png", "--tests", "map.png"}, "map.png");
     expect_kept({"styles", "mine.toml", "-o", "map.png"}, "map.png");
     expect_kept({"fragments", "mine.toml", "--truth", "quad.obj"}, "quad.obj");
 }
