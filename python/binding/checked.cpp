@@ -6,14 +6,20 @@
 #include "scene/validate/limits.h"
 
 #include <cmath>
+#include <cstdint>
 
 namespace gw::python {
 namespace {
 
+/// 1000000, not 1e+06.
+std::string text_of(double value) {
+    const bool is_whole = std::abs(value) < 1e15 && value == std::floor(value);
+    return is_whole ? std::to_string(std::int64_t(value)) : scene::number_text(value);
+}
+
 [[noreturn]] void refuse(const std::string& name, double value, const char* what,
                          scene::Range range) {
-    throw Error(name + ": " + scene::number_text(value) + "; expected " +
-                scene::range_text(what, range));
+    throw Error(name + ": " + text_of(value) + "; expected " + scene::range_text(what, range));
 }
 
 }  // namespace
