@@ -299,6 +299,8 @@ ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, W
         obj = ObjReader(path, text, true, again).read();
         for (std::size_t p = 0; p < origins.size(); ++p) obj.parts[p].origin = origins[p];
     }
+    for (Part& part : obj.parts)
+        if (part.name.empty()) part.name = path.stem().string();
     warn_rounded(obj, warnings);
     if (options.crease)
         for (Element& element : obj.elements) element.smoothing = smooth_by_angle;
@@ -313,9 +315,8 @@ ObjFile read_obj(const std::filesystem::path& path, const ObjOptions& options, W
     std::vector<MeshData> meshes = make_meshes(obj);
     for (std::size_t p = 0; p < meshes.size(); ++p) {
         const Part& part = obj.parts[p];
-        const std::string name = part.name.empty() ? path.stem().string() : part.name;
         file.parts.push_back(
-            {name, part.material, part.material_line, part.origin, std::move(meshes[p])});
+            {part.name, part.material, part.material_line, part.origin, std::move(meshes[p])});
     }
     return file;
 }

@@ -69,12 +69,11 @@ TEST(FarScenes, KeepTheirDigitsInEachObject) {
 TEST(FarScenes, NameAnObjectThatLiesInTwoPlaces) {
     const Folder folder;
     const SceneFile file =
-        read_scene(folder.write("a.obj", "o both\n" + square(0, 0) + next_square(east, north)));
+        read_scene(folder.write("a.obj", square(0, 0) + next_square(east, north)));
     ASSERT_EQ(file.warnings.size(), 1u);
-    EXPECT_EQ(
-        folder.relative(file.warnings[0]),
-        "a.obj:11: object 'both' has parts 5411001 from its middle, where float32 has steps of "
-        "0.5; expected objects (o, g) of their own for places so far apart");
+    EXPECT_EQ(folder.relative(file.warnings[0]),
+              "a.obj:10: object 'a' has parts 5411001 from its middle, where float32 has steps of "
+              "0.5; expected objects (o, g) of their own for places so far apart");
 }
 
 double largest_coordinate(const Scene& scene) {
