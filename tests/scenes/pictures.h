@@ -31,9 +31,10 @@ inline Pictures pictures_of(scene::Scene s, int width, int height) {
         by();
         pictures[name] = machine->planes().color;
     };
-    draw("hardware", [&] {
-        multipass::render(*machine, s, view, {.renderer = multipass::Renderer::Hardware});
-    });
+    if (s.lights.size() <= 8)  // more are refused
+        draw("hardware", [&] {
+            multipass::render(*machine, s, view, {.renderer = multipass::Renderer::Hardware});
+        });
     draw("multipass", [&] { itembuffer::render(*machine, s, view, {}, {}); });
     draw("scanline",
          [&] { machine->execute(hiddensurface::scan_line_picture(s, view, machine->profile())); });

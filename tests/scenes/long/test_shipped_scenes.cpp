@@ -86,22 +86,19 @@ void rename(scene::Scene& s) {
     for (scene::Object& object : s.objects) ++object.material;
 }
 
-/// Straight ahead, too far to be seen, and another face behind the eye.
-void add_far_triangles(scene::Scene& s) {
+/// Straight ahead, too far to be seen.
+void add_far_triangle(scene::Scene& s) {
     const dvec3 ahead = s.camera->at - s.camera->eye;
     s.materials.push_back({.name = "far"});
-    for (const double distance : {1000.0, -10.0}) {
-        const dvec3 place = s.camera->eye + ahead * distance;
-        const auto side = static_cast<float>(std::sqrt(dot3(ahead, ahead)) / 1024);
-        MeshData data{.primitive = Primitive::Triangles,
-                      .positions = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}}};
-        data.normals.assign(3, {0, 0, 1});
-        s.objects.push_back({.name = "far",
-                             .mesh = make_mesh(std::move(data)),
-                             .material = s.materials.size() - 1,
-                             .world_from_object = scene::translation(place),
-                             .casts_shadow = false});
-    }
+    const auto side = static_cast<float>(std::sqrt(dot3(ahead, ahead)) / 1024);
+    MeshData data{.primitive = Primitive::Triangles,
+                  .positions = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}}};
+    data.normals.assign(3, {0, 0, 1});
+    s.objects.push_back({.name = "far",
+                         .mesh = make_mesh(std::move(data)),
+                         .material = s.materials.size() - 1,
+                         .world_from_object = scene::translation(s.camera->eye + ahead * 1000.0),
+                         .casts_shadow = false});
 }
 
 /// The last object and the last face of each mesh first.
@@ -195,7 +192,7 @@ TEST_P(ShippedScene, IsTheSame) {
                  "1024 times as large, under other names");
     // Places are rounded anew where they are no multiples of a power of two.
     expect_alike(before, after(move), "moved", {few, 1});
-    expect_alike(before, after(add_far_triangles), "with triangles far away", {few, 1});
+    expect_alike(before, after(add_far_triangle), "with a triangle far away", {few, 1});
     // Where depths tie, as at a silhouette, the first face is seen.
     expect_alike(before, after(reverse), "in another order", {few});
     if (!GetParam().ends_with(".gltf"))
