@@ -4,7 +4,6 @@
 #include "scene/text/suggest.h"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace gw::scene {
@@ -73,7 +72,7 @@ void MaterialLibrary::add(MaterialLibrary more) {
     for (auto& [name, fault] : more.faults)
         if (std::ranges::find(materials, name, &Material::name) == materials.end())
             faults.try_emplace(name, std::move(fault));
-    std::ranges::move(more.materials, std::back_inserter(materials));
+    for (Material& material : more.materials) materials.push_back(std::move(material));
 }
 
 MaterialNames::MaterialNames(const MaterialLibrary& library, std::string missing)

@@ -108,10 +108,11 @@ std::string normals_against_faces(const Scene& scene) {
 
 /// OBJ's and glTF's readers let the faces' own stand in.
 std::string normals_of_length_0(const Scene& scene) {
+    const auto is_0 = [](const vec3& normal) { return normal == vec3(0); };
     std::set<const Mesh*> seen;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Mesh& mesh = *scene.objects[i].mesh;
-        if (seen.insert(&mesh).second && std::ranges::count(mesh.data().normals, vec3(0)) > 0)
+        if (seen.insert(&mesh).second && std::ranges::any_of(mesh.data().normals, is_0))
             return "object " + name_in_quotes(scene, i) +
                    " has normals of length 0, which no light reaches; expected others, or none";
     }
