@@ -1,18 +1,29 @@
 #include "gl/lists/sealed_runs.h"
 
+#include "gl/assemble/share_vertices.h"
 #include "gl/context/context.h"
 #include "gl/draw/submit.h"
 #include "gl/draw/targets.h"
+
+#include <utility>
 
 namespace gw::gl {
 
 namespace {
 
-/// The mesh of a part for a draw that uses these values.
+/// The mesh of a part for a draw that uses these values. Corners share vertices from the second use
+/// on: some programs make a list for one frame. Recordings keep the vertices as they were given.
 const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
-    for (const auto& [values, mesh] : part.meshes)
-        if (values == used) return mesh;
-    return part.meshes.emplace_back(used, mesh_of(part.assembly, {}, used)).second;
+    for (SealedRuns::PartMesh& made : part.meshes) {
+        if (made.values != used) continue;
+        if (++made.uses == 2 && !calls_are_kept) {
+            MeshData data = made.mesh->data();
+            if (share_vertices(data)) made.mesh = make_mesh(std::move(data));
+        }
+        return made.mesh;
+    }
+    part.meshes.push_back({used, mesh_of(part.assembly, {}, used), 1});
+    return part.meshes.back().mesh;
 }
 
 /// The current values in place of arrays that a mesh lacks.

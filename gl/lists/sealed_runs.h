@@ -8,7 +8,6 @@
 #include "gl/lists/display_list.h"
 
 #include <array>
-#include <utility>
 #include <vector>
 
 namespace gw::gl {
@@ -22,10 +21,14 @@ struct GivenValues {
 };
 
 struct SealedRuns {
+    struct PartMesh {
+        VertexValues values;  ///< that it has
+        MeshRef mesh;
+        int uses = 0;
+    };
     struct Part {
         Assembly assembly;
-        /// by the values that they have
-        std::vector<std::pair<VertexValues, MeshRef>> meshes;
+        std::vector<PartMesh> meshes;
         std::vector<CallRun> calls;  ///< numbers in the list; empty: they are not kept
     };
     std::vector<Part> parts;

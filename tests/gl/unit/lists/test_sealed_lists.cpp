@@ -26,6 +26,22 @@ void runs(GLenum mode, unsigned gives) {
     }
 }
 
+/// 6 x 6 quads, whose neighbours have the same values at their common corners.
+void grid(unsigned gives) {
+    constexpr int corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    glBegin(GL_QUADS);
+    for (int i = 0; i < 36; ++i)
+        for (const auto& corner : corners) {
+            const int x = i % 6 + corner[0], y = i / 6 + corner[1];
+            if (gives & Colors) glColor4f(float(x % 3) / 2, float(y % 5) / 4, 0.5f, 0.75f);
+            if (gives & Normals) glNormal3f(float(x - 3) / 3, float(y - 3) / 3, 0.5f);
+            if (gives & Texcoords) glTexCoord2f(float(x) / 4, float(y) / 3);
+            if (gives & EdgeFlags) glEdgeFlag((x + y) % 3 != 1);
+            glVertex3f(3 + 4 * float(x) + float(y) / 2, 3 + 4 * float(y), float(x * y % 7) / 8);
+        }
+    glEnd();
+}
+
 /// State that is on: bits in this order.
 constexpr int state_bits = 9;
 void set_state(unsigned on) {
@@ -60,9 +76,9 @@ struct Outcome {
     Picture picture;
     Snapshot state;
 };
-/// Draws twice, with other current values and another matrix the second time.
+/// Draws three times, with other current values and another matrix from the second time on.
 template <class Draw>
-Outcome drawn_twice(unsigned on, Draw draw) {
+Outcome drawn_often(unsigned on, Draw draw) {
     const Window window;
     use_pixel_coordinates(window);
     set_state(on);
@@ -71,9 +87,25 @@ Outcome drawn_twice(unsigned on, Draw draw) {
     glColor3f(1, 0.5f, 0.5f);
     glNormal3f(1, 0, 0.25f);
     glTexCoord2f(0.375f, 0.625f);
-    glTranslatef(2, -1, 0.125f);
-    draw();
+    for (int i = 0; i < 2; ++i) {
+        glTranslatef(2, -1, 0.125f);
+        draw();
+    }
     return {picture_of(window), snapshot()};
+}
+
+/// Makes a list at the first call, and plays it.
+template <class Draw>
+auto by_list(Draw draw) {
+    return [draw, compiled = false]() mutable {
+        if (!compiled) {
+            glNewList(1, GL_COMPILE);
+            draw();
+            glEndList();
+            compiled = true;
+        }
+        glCallList(1);
+    };
 }
 
 }  // namespace
@@ -83,21 +115,22 @@ TEST(GlSealedLists, DrawWhatImmediateModeDrawsUnderEveryState) {
     for (unsigned on = 0; on < 1u << state_bits; ++on)
         for (GLenum mode = on % 5; mode <= GL_POLYGON; mode += 5) {
             gives = (gives + 7) % 16;
-            const Outcome immediate = drawn_twice(on, [&] { runs(mode, gives); });
-            const Outcome played = drawn_twice(on, [&, compiled = false]() mutable {
-                if (!compiled) {
-                    glNewList(1, GL_COMPILE);
-                    runs(mode, gives);
-                    glEndList();
-                    compiled = true;
-                }
-                glCallList(1);
-            });
+            const Outcome immediate = drawn_often(on, [&] { runs(mode, gives); });
+            const Outcome played = drawn_often(on, by_list([&] { runs(mode, gives); }));
             ASSERT_EQ(immediate.picture, played.picture)
                 << "mode " << mode << ", state " << on << ", gives " << gives;
             ASSERT_EQ(changes(immediate.state, played.state), std::vector<std::string>{})
                 << "mode " << mode << ", state " << on << ", gives " << gives;
         }
+}
+
+TEST(GlSealedLists, ShareTheCornersOfNeighboursUnderEveryState) {
+    for (unsigned on = 0; on < 1u << state_bits; ++on) {
+        const unsigned gives = on * 7 % 16;
+        const Outcome immediate = drawn_often(on, [&] { grid(gives); });
+        const Outcome played = drawn_often(on, by_list([&] { grid(gives); }));
+        ASSERT_EQ(immediate.picture, played.picture) << "state " << on << ", gives " << gives;
+    }
 }
 
 TEST(GlSealedLists, OneListServesStatesThatChangeBetweenItsCalls) {
