@@ -117,6 +117,8 @@ inline Vec3 contribution(const PreparedLight& t, const MaterialLanes& m, double 
     const IncidentLanes in = incident(t, p_eye);
     Vec3 out = product(t.light->Ia, m.Ka);
     if (!t.turns) return product(in.strength, out);
+    const D64 d;
+    if (hn::AllTrue(d, hn::Eq(in.strength, hn::Zero(d)))) return product(in.strength, out);
     const auto cosine = dot(n_eye, in.direction);
     out = sum(out, product(positive(cosine), product(t.light->Id, m.Kd)));
     if (!t.glossy) return product(in.strength, out);

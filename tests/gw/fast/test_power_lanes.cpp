@@ -58,7 +58,8 @@ void expect_same_bits(const Eight& base, double exponent, const std::string& tar
             << base[i] << " ^ " << exponent << " on " << target;
 }
 
-constexpr double exponents[] = {0, 0.5, 1, 2, 10, 27.3, 60, 128, 1000, 1e6, 1e-3, 0x1p101, -2};
+constexpr double exponents[] = {0,   0x1p-149, 0.5,   1,   2,    10,      27.3, 60,
+                                128, 1000,     10000, 1e6, 1e-3, 0x1p101, -2};
 constexpr Eight edges = {0,   1,          0x1p-1074, 0x1p-1022, 0x1.fffffffffffffp-1,
                          0.5, 45.25 / 64, 0x1.6ap-1};
 
