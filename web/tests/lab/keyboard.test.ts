@@ -143,3 +143,27 @@ it('shoots, and turns the lit room', async () => {
   await changes('eye', () => keys('ArrowLeft'));
   await thePage().keyboard.up('Alt');
 });
+
+it('closes what lies over the page by Escape, and by a click elsewhere', async () => {
+  await open('#lang=en');
+  await thePage().waitForSelector('.stack canvas');
+  for (const name of ['help', 'rare']) {
+    const isOpen = (wanted: boolean) =>
+      thePage().waitForFunction(
+        (name, wanted) =>
+          document.querySelector<HTMLDetailsElement>(`details.${name}`)!.open === wanted,
+        {},
+        name,
+        wanted,
+      );
+    await thePage().click(`.${name} summary`);
+    await isOpen(true);
+    await keys('Escape');
+    await isOpen(false);
+    expect(await thePage().evaluate(() => document.activeElement?.tagName)).toBe('SUMMARY');
+    await thePage().click(`.${name} summary`);
+    await isOpen(true);
+    await thePage().click('.sentence');
+    await isOpen(false);
+  }
+});
