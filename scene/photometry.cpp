@@ -28,7 +28,16 @@ AnglePlace place_in(const std::vector<double>& numbers, double value) {
             std::clamp((value - numbers[index]) / (numbers[index + 1] - numbers[index]), 0.0, 1.0)};
 }
 
-/// Within the file's horizontal angles, by its symmetry.
+bool is_beyond(double angle, const std::vector<double>& angles) {
+    return angle < angles.front() - 1e-9 || angle > angles.back() + 1e-9;
+}
+
+/// Type B: angles from 0 stand for both sides.
+double mirrored_at_0(double angle, const std::vector<double>& angles) {
+    return angles.front() == 0 ? std::abs(angle) : angle;
+}
+
+/// Type C: within the file's horizontal angles, by its symmetry.
 double folded(double angle, const std::vector<double>& horizontal) {
     angle -= 360 * std::floor(angle / 360);
     const double last = horizontal.back();
@@ -47,12 +56,47 @@ double band(double a, double b, double f, double g) {
     return f * cos(a) - g * cos(b) + slope * (sin(b) - sin(a));
 }
 
-/// Angles of a direction about an axis that points straight down.
+double lumen_of_c(const Photometry& web) {
+    const std::vector<double>&vertical = web.vertical, &horizontal = web.horizontal;
+    const auto plane = [&](std::size_t h) {
+        double sum = 0;
+        for (std::size_t v = 0; v + 1 < vertical.size(); ++v)
+            sum += band(vertical[v] / degrees_per_radian, vertical[v + 1] / degrees_per_radian,
+                        web.candela[h * vertical.size() + v],
+                        web.candela[h * vertical.size() + v + 1]);
+        return sum;
+    };
+    if (horizontal.size() == 1) return 2 * pi * plane(0);
+    double sum = 0;  // linear between the planes
+    for (std::size_t h = 0; h + 1 < horizontal.size(); ++h)
+        sum += (plane(h) + plane(h + 1)) / 2 * (horizontal[h + 1] - horizontal[h]);
+    return 2 * pi * sum / (horizontal.back() - horizontal.front());
+}
+
+/// Planes go through the axis of width, so theirs are the vertical angles.
+double lumen_of_b(const Photometry& web) {
+    const std::vector<double>&vertical = web.vertical, &horizontal = web.horizontal;
+    const auto plane = [&](std::size_t v) {
+        double sum = 0;
+        for (std::size_t h = 0; h + 1 < horizontal.size(); ++h)
+            sum += band((horizontal[h] + 90) / degrees_per_radian,
+                        (horizontal[h + 1] + 90) / degrees_per_radian,
+                        web.candela[h * vertical.size() + v],
+                        web.candela[(h + 1) * vertical.size() + v]);
+        return horizontal.front() == 0 ? 2 * sum : sum;
+    };
+    double sum = 0;
+    for (std::size_t v = 0; v + 1 < vertical.size(); ++v)
+        sum += (plane(v) + plane(v + 1)) / 2 * (vertical[v + 1] - vertical[v]);
+    return (vertical.front() == 0 ? 2 * sum : sum) / degrees_per_radian;
+}
+
 struct Angles {
     double vertical = 0, horizontal = 0;
 };
 
-Angles angles_of(const dvec3& axis, const dvec3& direction, double turn) {
+/// Of a direction, for a luminaire whose straight down is `axis`.
+Angles angles_of(Photometry::Type type, const dvec3& axis, const dvec3& direction, double turn) {
     // The shortest turn of -y to the axis takes x and -z there.
     const dvec3 down(0, -1, 0);
     const auto carried = [&](const dvec3& v) {
@@ -63,7 +107,11 @@ Angles angles_of(const dvec3& axis, const dvec3& direction, double turn) {
     };
     const double x = dot3(direction, carried({1, 0, 0})), y = dot3(direction, carried({0, 0, -1})),
                  z = std::clamp(dot3(direction, axis), -1.0, 1.0);
-    return {acos(z) * degrees_per_radian, atan2(y, x) * degrees_per_radian - turn};
+    if (type == Photometry::Type::C)
+        return {acos(z) * degrees_per_radian, atan2(y, x) * degrees_per_radian - turn};
+    const double c = cos_degrees(turn), s = sin_degrees(turn);
+    const double across = std::clamp(s * x - c * y, -1.0, 1.0);
+    return {atan2(c * x + s * y, z) * degrees_per_radian, 90 - acos(across) * degrees_per_radian};
 }
 
 dvec3 axis_of(const Light& light) {
@@ -80,10 +128,16 @@ double luminance_of(const dvec3& color) {
 dvec3 with_luminance_1(const dvec3& color) { return color / luminance_of(color); }
 
 double Photometry::at(double vertical_angle, double horizontal_angle) const {
-    if (vertical_angle < vertical.front() - 1e-9 || vertical_angle > vertical.back() + 1e-9)
-        return 0;
+    if (type == Type::B) {
+        vertical_angle = mirrored_at_0(vertical_angle, vertical);
+        horizontal_angle = mirrored_at_0(horizontal_angle, horizontal);
+        if (is_beyond(horizontal_angle, horizontal)) return 0;
+    } else {
+        horizontal_angle = folded(horizontal_angle, horizontal);
+    }
+    if (is_beyond(vertical_angle, vertical)) return 0;
     const AnglePlace v = place_in(vertical, vertical_angle),
-                     h = place_in(horizontal, folded(horizontal_angle, horizontal));
+                     h = place_in(horizontal, horizontal_angle);
     const auto along = [&](std::size_t plane) {
         const double* const row = &candela[plane * vertical.size()];
         return row[v.index] * (1 - v.part) + (v.part > 0 ? row[v.index + 1] * v.part : 0);
@@ -91,26 +145,14 @@ double Photometry::at(double vertical_angle, double horizontal_angle) const {
     return along(h.index) * (1 - h.part) + (h.part > 0 ? along(h.index + 1) * h.part : 0);
 }
 
-double Photometry::lumen() const {
-    const auto plane = [&](std::size_t h) {
-        double sum = 0;
-        for (std::size_t v = 0; v + 1 < vertical.size(); ++v)
-            sum += band(vertical[v] / degrees_per_radian, vertical[v + 1] / degrees_per_radian,
-                        candela[h * vertical.size() + v], candela[h * vertical.size() + v + 1]);
-        return sum;
-    };
-    if (horizontal.size() == 1) return 2 * pi * plane(0);
-    double sum = 0;  // linear between the planes
-    for (std::size_t h = 0; h + 1 < horizontal.size(); ++h)
-        sum += (plane(h) + plane(h + 1)) / 2 * (horizontal[h + 1] - horizontal[h]);
-    return 2 * pi * sum / (horizontal.back() - horizontal.front());
-}
+double Photometry::lumen() const { return type == Type::B ? lumen_of_b(*this) : lumen_of_c(*this); }
 
 dvec3 intensity(const Light& light, const dvec3& direction) {
     if (!light.luminous || light.kind == LightKind::Directional) return dvec3(0);
     const Luminous& luminous = *light.luminous;
     if (luminous.web) {
-        const Angles angles = angles_of(axis_of(light), direction, luminous.turn);
+        const Angles angles =
+            angles_of(luminous.web->type, axis_of(light), direction, luminous.turn);
         return luminous.candela * luminous.web->at(angles.vertical, angles.horizontal);
     }
     if (light.kind == LightKind::Point) return luminous.candela;

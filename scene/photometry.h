@@ -18,16 +18,18 @@ double luminance_of(const dvec3& color);
 /// The colour with luminance 1. Precondition: it is not 0.
 dvec3 with_luminance_1(const dvec3& color);
 
-/// Type C photometry [LM-63]: vertical angles from straight down, horizontal ones about the vertical
-/// axis. Degrees, ascending.
+/// A distribution by two angles [LM-63], whose 0, 0 is straight down. Degrees, ascending.
 struct Photometry {
+    enum class Type {
+        C,  ///< vertical angles from straight down, horizontal ones about the vertical axis
+        B,  ///< vertical angles about the axis of width, horizontal ones from the middle towards it
+    } type = Type::C;
     std::vector<double> vertical, horizontal;
     std::vector<double>
         candela;       ///< all vertical angles of the first horizontal one, then of the next
     std::string name;  ///< the file's, for messages
 
-    /// Bilinear between the angles; 0 beyond the vertical ones. Horizontal angles that the file leaves
-    /// out follow by symmetry.
+    /// Bilinear between the angles; 0 beyond them. Those that the file leaves out follow by symmetry.
     double at(double vertical_angle, double horizontal_angle) const;
     /// The luminous flux: the integral over all directions, of what `at` gives.
     double lumen() const;
@@ -41,8 +43,9 @@ struct Luminous {
 };
 
 /// In candela, by channel, towards a unit direction from the light; 0 if it has no numbers of light.
-/// A distribution's straight down is the light's direction. Horizontal angle 0 is +x and 90 is -z
-/// if that is -y; else both are turned the shortest way.
+/// A distribution's straight down is the light's direction. If that is -y, horizontal angles 0 and
+/// 90 of type C are +x and -z; vertical angle 90 of type B is +x, horizontal angle 90 is +z. Else all
+/// are turned the shortest way.
 dvec3 intensity(const Light& light, const dvec3& direction);
 /// In lumen, by channel: the integral of `intensity`.
 dvec3 luminous_flux(const Light& light);

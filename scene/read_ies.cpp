@@ -111,10 +111,11 @@ void skip_tilt(Numbers& in, const std::string& file, Warnings& warnings) {
                      "factors of tilt are left out; the luminaire hangs as it was measured");
 }
 
-std::vector<double> angles(Numbers& in, std::size_t count, const char* what, double high) {
+std::vector<double> angles(Numbers& in, std::size_t count, const char* what, double low,
+                           double high) {
     std::vector<double> list;
     for (std::size_t i = 0; i < count; ++i) {
-        list.push_back(in.number(what, 0, high));
+        list.push_back(in.number(what, low, high));
         if (i > 0 && list[i] <= list[i - 1])
             in.fail(number_text(list[i]) + " after " + number_text(list[i - 1]),
                     std::string(what) + " that ascend");
@@ -137,6 +138,32 @@ void check_horizontal(const Numbers& in, const std::vector<double>& h) {
                 "0, or 0 to 90, 180 or 360, or 90 to 270");
 }
 
+void read_angles_of_c(Numbers& in, std::size_t vertical, std::size_t horizontal, Photometry& web) {
+    web.vertical = angles(in, vertical, "vertical angles of 0 to 180", 0, 180);
+    check_vertical(in, web.vertical);
+    web.horizontal = angles(in, horizontal, "horizontal angles of 0 to 360", 0, 360);
+    check_horizontal(in, web.horizontal);
+}
+
+std::vector<double> angles_of_b(Numbers& in, std::size_t count, const char* kind) {
+    std::vector<double> list =
+        angles(in, count, (std::string(kind) + " angles of -90 to 90").c_str(), -90, 90);
+    if (list.back() <= 0 || (list.front() != 0 && list.front() != -list.back()))
+        in.fail(std::string(kind) + " angles from " + number_text(list.front()) + " to " +
+                    number_text(list.back()),
+                "-90 to 90, or 0 to 90");
+    return list;
+}
+
+Photometry::Type read_type(Numbers& in) {
+    const char* const expected = "1, C, or 2, B";
+    const double type = in.number(expected);
+    if (type == 1) return Photometry::Type::C;
+    if (type == 2) return Photometry::Type::B;
+    if (type == 3) in.fail("photometry of type 3, A, whose angles are of headlamps", expected);
+    in.fail("photometry of type " + number_text(type), expected);
+}
+
 }  // namespace
 
 Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
@@ -156,10 +183,9 @@ Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
     if (double(vertical) * double(horizontal) > most_values)
         in.fail(number_text(double(vertical) * double(horizontal)) + " candela values",
                 "at most " + number_text(most_values));
-    const double type = in.number("1, type C photometry");
-    if (type == 2) in.fail("photometry of type 2, B, whose angles are of floodlights", "1, C");
-    if (type == 3) in.fail("photometry of type 3, A, whose angles are of headlamps", "1, C");
-    if (type != 1) in.fail("photometry of type " + number_text(type), "1, C");
+    Photometry web;
+    web.name = path.filename().string();
+    web.type = read_type(in);
     in.number("units, 1 for feet or 2 for metres", 1, 2);
     for (const char* side : {"width", "length", "height"})
         in.number((std::string("the opening's ") + side).c_str(), -1e6, 1e6);
@@ -168,12 +194,12 @@ Photometry read_ies(const std::filesystem::path& path, Warnings& warnings) {
     if (!has_one_factor) factor *= second;
     in.number("watts from 0", 0, 1e12);
 
-    Photometry web;
-    web.name = path.filename().string();
-    web.vertical = angles(in, vertical, "vertical angles of 0 to 180", 180);
-    check_vertical(in, web.vertical);
-    web.horizontal = angles(in, horizontal, "horizontal angles of 0 to 360", 360);
-    check_horizontal(in, web.horizontal);
+    if (web.type == Photometry::Type::B) {
+        web.vertical = angles_of_b(in, vertical, "vertical");
+        web.horizontal = angles_of_b(in, horizontal, "horizontal");
+    } else {
+        read_angles_of_c(in, vertical, horizontal, web);
+    }
     for (std::size_t i = 0; i < vertical * horizontal; ++i)
         web.candela.push_back(factor * in.number("candela from 0", 0, 1e12));
     in.expect_end();

@@ -1,6 +1,6 @@
-// IES files of luminaires: LM-63 of 1986, 1991, 1995 and 2002. Reads type C photometry with TILT=NONE or
-// TILT=INCLUDE. Does not read types A and B, other files' tilt, and the size of the luminous opening: the
-// light is a point.
+// IES files of luminaires: LM-63 of 1986, 1991, 1995, 2002 and 2019. Reads photometry of types C and B
+// with TILT=NONE or TILT=INCLUDE. Does not read type A, other files' tilt, and the size of the luminous
+// opening: the light is a point.
 #pragma once
 
 #include "scene/photometry.h"

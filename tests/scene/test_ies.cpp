@@ -24,10 +24,16 @@ protected:
 
 /// Angles, then candela; multiplier 2, ballast 0.5, so that the values are as they stand.
 std::string file_of(const std::string& vertical, const std::string& horizontal, int v, int h,
-                    const std::string& candela) {
+                    const std::string& candela, const std::string& type = "1") {
     return "IESNA:LM-63-1995\n[TEST] none\n[MANUFAC] ours\nTILT=NONE\n1 1000 2 " +
-           std::to_string(v) + " " + std::to_string(h) + " 1 2 0 0 0\n0.5 1 40\n" + vertical +
-           "\n" + horizontal + "\n" + candela + "\n";
+           std::to_string(v) + " " + std::to_string(h) + " " + type + " 2 0 0 0\n0.5 1 40\n" +
+           vertical + "\n" + horizontal + "\n" + candela + "\n";
+}
+
+/// Of type B.
+std::string flood_of(const std::string& vertical, const std::string& horizontal, int v, int h,
+                     const std::string& candela) {
+    return file_of(vertical, horizontal, v, h, candela, "2");
 }
 
 Light spot(const Photometry& web, const vec3& direction, double turn = 0) {
@@ -118,6 +124,57 @@ TEST_F(Ies, AnglesThatAreLeftOutFollowBySymmetry) {
         EXPECT_NEAR(across.at(90, angle), angle == 45 ? 1.5 : value, 1e-12) << angle;
 }
 
+// Vertical angle 90 is +x and horizontal angle 90 is +z under a floodlight that shines down.
+TEST_F(Ies, AnglesOfTypeBAreDirections) {
+    const Photometry web = read(flood_of("-90 0 90", "-90 0 90", 3, 3, "1 2 3  4 9 5  6 7 8"));
+    const Light down = spot(web, {0, -1, 0});
+    EXPECT_NEAR(intensity(down, {0, -1, 0}).x, 9, 1e-9);
+    EXPECT_NEAR(intensity(down, {1, 0, 0}).x, 5, 1e-9);
+    EXPECT_NEAR(intensity(down, {-1, 0, 0}).x, 4, 1e-9);
+    EXPECT_NEAR(intensity(down, {0, 0, 1}).x, 7, 1e-9);
+    EXPECT_NEAR(intensity(down, {0, 0, -1}).x, 2, 1e-9);
+    EXPECT_EQ(intensity(down, {0.6, 0.8, 0}).x, 0);
+    // 60 degrees about the axis of z, then 30 towards it: cos 30 sin 60, -cos 30 cos 60, sin 30.
+    const dvec3 oblique(0.75, -std::sqrt(3) / 4, 0.5);
+    EXPECT_NEAR(intensity(down, oblique).x, 2.0 / 3 * (9 + 2 * 5) / 3 + (7 + 2 * 8) / 9.0, 1e-9);
+    // Turned by 90 degrees: what was +x is -z.
+    const Light turned = spot(web, {0, -1, 0}, 90);
+    EXPECT_NEAR(intensity(turned, {0, 0, -1}).x, 5, 1e-9);
+    EXPECT_NEAR(intensity(turned, {1, 0, 0}).x, 7, 1e-9);
+    // Aimed along +x, the shortest way: +x goes to +y.
+    EXPECT_NEAR(intensity(spot(web, {1, 0, 0}), {0, 1, 0}).x, 5, 1e-9);
+}
+
+TEST_F(Ies, AnglesOfTypeBFrom0StandForBothSides) {
+    const Photometry quarter = read(flood_of("0 45 90", "0 30", 3, 2, "9 5 1  4 3 2"));
+    const Photometry whole =
+        read(flood_of("-90 -45 0 45 90", "-30 0 30", 5, 3, "2 3 4 3 2  1 5 9 5 1  2 3 4 3 2"));
+    for (const double v : {-90.0, -60.0, -10.0, 0.0, 45.0, 80.0})
+        for (const double h : {-30.0, -5.0, 0.0, 20.0, 31.0})
+            EXPECT_NEAR(quarter.at(v, h), whole.at(v, h), 1e-12) << v << " " << h;
+    EXPECT_EQ(quarter.at(0, 31), 0);
+    EXPECT_NEAR(quarter.lumen(), whole.lumen(), 1e-9);
+}
+
+TEST_F(Ies, TheFluxOfTypeBIsItsIntegral) {
+    const auto lit = [&](const std::string& candela) {
+        return read(flood_of("-90 90", "-90 90", 2, 2, candela));
+    };
+    EXPECT_NEAR(lit("50 50 50 50").lumen(), 2 * pi * 50, 1e-9);
+    const Photometry web = lit("10 20 30 80");
+    const Light light = spot(web, {0, -1, 0});
+    constexpr int steps = 400;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i)
+        for (int k = 0; k < steps; ++k) {
+            const double a = (i + 0.5) * pi / 2 / steps, b = (k + 0.5) * 2 * pi / steps;
+            sum += std::sin(a) * intensity(light, {std::sin(a) * std::cos(b), -std::cos(a),
+                                                   std::sin(a) * std::sin(b)})
+                                     .x;
+        }
+    EXPECT_NEAR(web.lumen(), sum * pi / 2 / steps * 2 * pi / steps, 1e-3 * web.lumen());
+}
+
 TEST_F(Ies, VersionsDifferInTheSecondFactor) {
     const std::string body = "TILT=NONE\n1 -1 1 2 1 1 1 0 0 0 1 0.5 9\n0 180\n0\n10 10\n";
     EXPECT_EQ(read("IESNA91\n" + body).at(0, 0), 5);
@@ -162,13 +219,17 @@ TEST_F(Ies, WhatIsWrongIsRefusedWithItsLine) {
         "to 270");
     EXPECT_EQ(refusal("IESNA91\nTILT=lamp.tlt\n"),
               "lamp.ies:2: TILT= names another file; expected TILT=NONE or TILT=INCLUDE");
-    EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 3 1 0 0 0"),
-              "lamp.ies:3: photometry of type 3, A, whose angles are of headlamps; expected 1, C");
     EXPECT_EQ(
-        refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 2 1 0 0 0"),
-        "lamp.ies:3: photometry of type 2, B, whose angles are of floodlights; expected 1, C");
+        refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 3 1 0 0 0"),
+        "lamp.ies:3: photometry of type 3, A, whose angles are of headlamps; expected 1, C, or 2, B");
+    EXPECT_EQ(refusal(flood_of("-90 45", "0 90", 2, 2, "1 2 3 4")),
+              "lamp.ies:7: vertical angles from -90 to 45; expected -90 to 90, or 0 to 90");
+    EXPECT_EQ(refusal(flood_of("-90 90", "0", 2, 1, "1 2")),
+              "lamp.ies:8: horizontal angles from 0 to 0; expected -90 to 90, or 0 to 90");
+    EXPECT_EQ(refusal(flood_of("-90 91", "0 90", 2, 2, "1 2 3 4")),
+              "lamp.ies:7: 91; expected vertical angles of -90 to 90");
     EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 2 1 4 1 0 0 0"),
-              "lamp.ies:3: photometry of type 4; expected 1, C");
+              "lamp.ies:3: photometry of type 4; expected 1, C, or 2, B");
     EXPECT_EQ(refusal("IESNA91\nTILT=NONE\n1 -1 1 100000 100000 1"),
               "lamp.ies:3: 1e+10 candela values; expected at most 4e+06");
     EXPECT_EQ(refusal("no labels\n"), "lamp.ies:1: ends here; expected TILT= and the photometry");
