@@ -68,7 +68,7 @@ public:
     void load(scene::Map& map, std::string_view statement) {
         if (map.texture || map.from_scene > 0) return;
         const auto [found, is_new] = cache_.try_emplace(key_of(map.file));
-        const std::string what = std::string(statement) + " " + map.file.string() + ": ";
+        const std::string what = named_in_file(map, statement) + ": ";
         try {
             if (is_new) found->second = read_texture(map, decoder_);
         } catch (const Error& error) {
@@ -82,6 +82,10 @@ public:
     std::vector<std::string> warnings;
 
 private:
+    static std::string named_in_file(const scene::Map& map, std::string_view statement) {
+        const std::string place = map.place.empty() ? std::string(statement) : map.place;
+        return map.bytes ? place : place + " " + map.file.string();
+    }
     static std::string largest_text(float largest) {
         return "has values to " + scene::number_text(double(largest)) +
                "; expected 0 to 1, to which they are clamped";

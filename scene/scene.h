@@ -43,6 +43,7 @@ struct Map {
     /// the picture file itself, if it lies within another file; `file` is then a name for messages
     std::shared_ptr<const std::string> bytes;
     Origin origin;
+    std::string place{};  ///< the part of that file that names it; empty: the map's own statement
     Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;  ///< MTL -clamp on: Clamp
     vec2 offset{0, 0};                                  ///< MTL -o: added to s, t after scale
     vec2 scale{1, 1};                                   ///< MTL -s
@@ -50,6 +51,8 @@ struct Map {
     int from_scene = 0;
     TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)
     OpacityChannel channel = OpacityChannel::Alpha;  ///< of map_d
+    /// The mean of its texels stands for it: its coordinates are of a set that the mesh lacks.
+    bool is_mean = false;
 };
 
 struct Physical;
@@ -76,7 +79,8 @@ struct Material {
     std::vector<Map> refl;        ///< sphere maps for the reflection component
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
     /// One of whose texels G multiplies the roughness and B the metallic part of the surface
-    /// [GLTF2 3.9.2]; maps/finish.h makes Kd, Ks, Ns and their maps of it.
+    /// [GLTF2 3.9.2], or RGB its F0, if that is given, and A its glossiness; maps/finish.h makes Kd, Ks,
+    /// Ns and their maps of it.
     std::vector<Map> map_metal;
     std::shared_ptr<const Physical> physical;  ///< that surface; null: there is no such map
 };

@@ -37,9 +37,8 @@ public:
 
     GltfMaterial read(const Tint& tint) {
         out_.material.name = name_;
-        read_metallic_roughness();
+        if (!read_specular_glossiness()) read_metallic_roughness();
         read_extensions();
-        read_specular_glossiness();
         read_emission();
         if (const auto sides = json_.find("doubleSided")) out_.double_sided = sides->boolean();
         physical_.alpha *= double(tint.color.w);
@@ -69,16 +68,16 @@ private:
         physical_.metallic = number_of(pbr->find("metallicFactor"), 1);
         physical_.roughness = number_of(pbr->find("roughnessFactor"), 1);
         if (const auto texture = pbr->find("baseColorTexture"))
-            add_map(out_.material.map_Kd, *texture);
+            add_map(out_.material.map_Kd, *texture, "baseColorTexture");
         if (const auto texture = pbr->find("metallicRoughnessTexture"))
-            add_map(out_.material.map_metal, *texture);
+            add_map(out_.material.map_metal, *texture, "metallicRoughnessTexture");
     }
 
     void read_emission() {
         physical_.emissive = color_of(json_.find("emissiveFactor"), dvec3(0)) * strength_;
         const auto texture = json_.find("emissiveTexture");
         if (texture && physical_.emissive != dvec3(0) && !physical_.unlit)
-            add_map(out_.material.map_Ke, *texture);
+            add_map(out_.material.map_Ke, *texture, "emissiveTexture");
     }
 
     void read_extensions() {
@@ -96,14 +95,13 @@ private:
             if (specular->find(key)) warn_texture(key);
     }
 
-    /// KHR_materials_pbrSpecularGlossiness: in place of the metallic-roughness model.
-    void read_specular_glossiness() {
+    /// KHR_materials_pbrSpecularGlossiness: in place of the metallic-roughness model. Whether it is
+    /// there.
+    bool read_specular_glossiness() {
         const auto extensions = json_.find("extensions");
         const auto model =
             extensions ? extensions->find("KHR_materials_pbrSpecularGlossiness") : std::nullopt;
-        if (!model) return;
-        out_.material.map_Kd.clear();
-        out_.material.map_metal.clear();
+        if (!model) return false;
         const auto diffuse = model->find("diffuseFactor");
         physical_.base = color_of(diffuse, dvec3(1));
         physical_.alpha = diffuse ? (*diffuse)[3].number(unit_range) : 1;
@@ -111,8 +109,13 @@ private:
         physical_.F0 = color_of(model->find("specularFactor"), dvec3(1));
         physical_.roughness = 1 - number_of(model->find("glossinessFactor"), 1);
         if (const auto texture = model->find("diffuseTexture"))
-            add_map(out_.material.map_Kd, *texture);
-        if (model->find("specularGlossinessTexture")) warn_texture("specularGlossinessTexture");
+            add_map(out_.material.map_Kd, *texture, "diffuseTexture");
+        if (const auto texture = model->find("specularGlossinessTexture")) {
+            add_map(out_.material.map_metal, *texture, "specularGlossinessTexture");
+            warn("specularGlossinessTexture",
+                 "its specularGlossinessTexture is drawn with its means");
+        }
+        return true;
     }
 
     /// F0 is ((n - 1) / (n + 1))^2; n = 0 stands for a mirror of any angle.
@@ -146,32 +149,35 @@ private:
             if (json_.find(key)) warn_texture(key);
     }
 
-    void add_map(std::vector<Map>& list, const JsonValue& info) {
+    void add_map(std::vector<Map>& list, const JsonValue& info, const std::string& name) {
         const JsonValue texture = document_.element("textures", info.at("index"));
-        const auto set = info.find("texCoord");
-        std::size_t texcoord_set = set ? set->whole(0, 100) : 0;
-        Map map;
-        map.origin = {document_.file(), 0};
-        if (const auto extensions = info.find("extensions"))
-            if (const auto transform = extensions->find("KHR_texture_transform")) {
-                read_transform(*transform, map);
-                if (const auto other = transform->find("texCoord"))
-                    texcoord_set = other->whole(0, 100);
-            }
-        if (has_maps_ && texcoord_set != out_.texcoord_set)
-            warn("texCoord",
-                 "its textures have several sets of coordinates; all are drawn with set " +
-                     std::to_string(out_.texcoord_set));
-        else
-            out_.texcoord_set = texcoord_set;
-        has_maps_ = true;
-        if (const auto sampler = texture.find("sampler"))
-            read_sampler(document_.element("samplers", *sampler), map);
         const auto source = texture.find("source");
         if (!source)
-            return warn("source", "its texture has no picture that GW reads; it is left out");
+            return warn("source", "its " + name + " has no picture that GW reads; it is left out");
+        Map map;
+        map.origin = {document_.file(), 0};
         read_image(document_.element("images", *source), map);
+        if (const auto sampler = texture.find("sampler"))
+            read_sampler(document_.element("samplers", *sampler), map);
+        const auto extensions = info.find("extensions");
+        const auto transform =
+            extensions ? extensions->find("KHR_texture_transform") : std::nullopt;
+        const auto other = transform ? transform->find("texCoord") : std::nullopt;
+        choose_set(other ? other : info.find("texCoord"), map, name);
+        if (transform && !map.is_mean) read_transform(*transform, map);
+        has_maps_ = true;
         list.push_back(std::move(map));
+    }
+
+    /// A mesh has one set of coordinates: that of the first map.
+    void choose_set(const std::optional<JsonValue>& value, Map& map, const std::string& name) {
+        const std::size_t set = value ? value->whole(0, 100) : 0;
+        if (!has_maps_) out_.texcoord_set = set;
+        map.is_mean = set != out_.texcoord_set;
+        if (map.is_mean)
+            warn("texCoord", "its " + name + " has texCoord " + std::to_string(set) +
+                                 " beside textures with " + std::to_string(out_.texcoord_set) +
+                                 "; expected one for all, so it is drawn with its mean");
     }
 
     /// A Map has no rotation: the mesh is turned, for all maps of the material.
@@ -211,11 +217,13 @@ private:
     }
 
     void read_image(const JsonValue& image, Map& map) {
+        map.place = image.place();
         if (const auto view = image.find("bufferView")) {
             map.bytes = std::make_shared<const std::string>(document_.bytes_of_view(*view));
             map.file = document_.file() + ": " + image.place();
             return;
         }
+        map.place = image.at("uri").place();
         GltfUri uri = document_.read_uri(image.at("uri"));
         map.bytes = std::move(uri.bytes);
         map.file = std::move(uri.file);

@@ -3,6 +3,7 @@
 #include "scene/geometry/mirrored_faces.h"
 #include "scene/maps/alpha.h"
 #include "scene/maps/cut_mesh.h"
+#include "scene/maps/mean.h"
 #include "scene/maps/metal.h"
 #include "scene/maps/mirrored.h"
 #include "scene/text/suggest.h"
@@ -172,6 +173,7 @@ void finish(Scene& scene, Warnings& warnings) {
 void finish(Scene& scene, std::vector<Film>& films, Warnings& warnings) {
     choose_opacity_channels(scene);
     apply_metal_maps(scene, warnings);
+    replace_by_means(scene);
     unfold_mirrored(scene, warnings);
     const auto whole =
         films.empty()

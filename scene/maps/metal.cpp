@@ -1,6 +1,7 @@
 #include "scene/maps/metal.h"
 
 #include "gw/base/arithmetic.h"
+#include "scene/maps/mean.h"
 #include "scene/maps/physical.h"
 #include "scene/text/suggest.h"
 
@@ -13,7 +14,7 @@
 namespace gw::scene {
 namespace {
 
-constexpr std::size_t green = 1, blue = 2;
+constexpr std::size_t green = 1, blue = 2, gloss = 3;
 
 struct Means {
     double roughness = 0, metallic = 0;
@@ -129,15 +130,29 @@ private:
     std::vector<std::uint16_t> Kd_, Ks_;
 };
 
+/// A surface with F0: the map has factors of it and of the glossiness.
+void apply_specular_glossiness(Material& material) {
+    const Texture& texture = *material.map_metal[0].texture;
+    const TexelValues& rgba = texture.levels.front().rgba;
+    double glossiness = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) glossiness += rgba[i + gloss] / 65535.0;
+    Physical p = *material.physical;
+    *p.F0 *= mean_of(texture, true);
+    p.roughness = 1 - (1 - p.roughness) * glossiness / double(rgba.size() / 4);
+    set_words(p, material);
+}
+
 void apply(Material& material, Warnings& warnings) {
+    if (material.physical->F0) return apply_specular_glossiness(material);
     const Map& map = material.map_metal[0];
     const Means means = means_of(*map.texture);
     Physical p = *material.physical;
     p.roughness *= means.roughness;
-    const bool fits = material.map_Kd.empty() || is_beside(material.map_Kd[0], map);
+    const bool fits =
+        !map.is_mean && (material.map_Kd.empty() || is_beside(material.map_Kd[0], map));
     if (fits && !means.is_even && p.metallic > 0)
         return TexelMaker(material, p).set(means.metallic);
-    if (!fits && !means.is_even)
+    if (!fits && !map.is_mean && !means.is_even)
         warnings.add(map.origin.file, map.origin.line, "metal map",
                      "material '" + printable(material.name) +
                          "': its metallicRoughnessTexture lies in another way than its colours; "

@@ -163,6 +163,27 @@ TEST(LoadTextures, ReadsPicturesThatLieWithinAFile) {
     }
 }
 
+/// A glTF file has places and no statements.
+TEST(LoadTextures, NamesThePlaceThatAsks) {
+    const Folder folder;
+    const auto refused = [](scene::Scene& scene, const std::string& place) {
+        scene.materials[0].map_Kd[0].origin = {"m.gltf", 0};
+        scene.materials[0].map_Kd[0].place = place;
+        try {
+            load_textures(scene);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    const std::string missing = (folder / "missing.png").string();
+    scene::Scene scene = scene_with_map(missing);
+    EXPECT_EQ(refused(scene, "images[0].uri"),
+              "m.gltf: images[0].uri " + missing + ": no such file; expected a picture file");
+    scene.materials[0].map_Kd[0].bytes = std::make_shared<const std::string>("no picture");
+    EXPECT_EQ(refused(scene, "images[1]").substr(0, 36), "m.gltf: images[1]: it cannot be read");
+}
+
 TEST(LoadTextures, NamesTheFileAndLineThatAsk) {
     const Folder folder;
     scene::Scene scene = scene_with_map(folder / "missing.png");

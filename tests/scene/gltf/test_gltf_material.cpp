@@ -1,5 +1,5 @@
-// Claims: alpha modes, vertex alphas, sides, mirrored maps and metallic-roughness maps of glTF reach the
-// scene, where maps/finish.h finds them.
+// Claims: alpha modes, vertex alphas, sides, sets of texture coordinates, mirrored and metallic-roughness
+// maps of glTF reach the scene, where maps/finish.h finds them.
 #include "scene/maps/physical.h"
 #include "tests/scene/folder.h"
 #include "tests/scene/gltf/gltf_text.h"
@@ -12,21 +12,24 @@ namespace {
 struct GltfSurface : testing::Test {
     Folder folder;
 
-    /// The triangle with texture coordinates, one texture, and a material of this JSON.
+    /// The triangle with two sets of texture coordinates, one texture, and a material of this JSON.
     Scene scene(const std::string& material, const std::string& sampler = "{}") {
         const std::string bytes =
             triangle_bytes() + std::string(2, '\0') + bytes_of<float>({0, 0, 1, 0, 0, 1}) +
-            bytes_of<std::uint8_t>({255, 255, 255, 0, 255, 255, 255, 128, 255, 255, 255, 255});
+            bytes_of<std::uint8_t>({255, 255, 255, 0, 255, 255, 255, 128, 255, 255, 255, 255}) +
+            bytes_of<float>({0.5f, 0, 0.75f, 0, 0.5f, 1});
         std::string text = replaced(triangle_json(R"(, "uri": ")" + data_uri(bytes) + "\""),
-                                    R"("byteLength": 42)", R"("byteLength": 80)");
+                                    R"("byteLength": 42)", R"("byteLength": 104)");
         text = replaced(text, R"("byteLength": 6})",
                         R"("byteLength": 6}, {"buffer": 0, "byteOffset": 44, "byteLength": 24},
-                        {"buffer": 0, "byteOffset": 68, "byteLength": 12})");
+                        {"buffer": 0, "byteOffset": 68, "byteLength": 12},
+                        {"buffer": 0, "byteOffset": 80, "byteLength": 24})");
         text = replaced(text, R"("type": "SCALAR"})", R"("type": "SCALAR"},
             {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC2"},
-            {"bufferView": 3, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true})");
-        text =
-            replaced(text, R"("POSITION": 0)", R"("POSITION": 0, "TEXCOORD_0": 2, "COLOR_0": 3)");
+            {"bufferView": 3, "componentType": 5121, "count": 3, "type": "VEC4", "normalized": true},
+            {"bufferView": 4, "componentType": 5126, "count": 3, "type": "VEC2"})");
+        text = replaced(text, R"("POSITION": 0)",
+                        R"("POSITION": 0, "TEXCOORD_0": 2, "COLOR_0": 3, "TEXCOORD_1": 4)");
         text = replaced(text, R"("indices": 1)", R"("indices": 1, "material": 0)");
         text = replaced(text, R"("meshes")",
                         R"("textures": [{"source": 0, "sampler": 0}], "samplers": [)" + sampler +
@@ -43,6 +46,8 @@ struct GltfSurface : testing::Test {
 
 const std::string leaf =
     R"("pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 1, 1, 0.5], "baseColorTexture": {"index": 0}})";
+
+using Texcoords = std::vector<vec2>;
 
 std::vector<float> alphas(const Scene& s) {
     std::vector<float> list;
@@ -95,6 +100,37 @@ TEST_F(GltfSurface, MapsMayRepeatMirrored) {
     EXPECT_TRUE(warnings.empty());
 }
 
+const Texcoords first_set{{0, 1}, {1, 1}, {0, 0}}, second_set{{0.5f, 1}, {0.75f, 1}, {0.5f, 0}};
+
+TEST_F(GltfSurface, ATextureHasTheSetThatItNames) {
+    const auto set_of = [&](const std::string& info) {
+        const Scene s =
+            scene(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0)" + info + "}}}");
+        EXPECT_EQ(warnings, std::vector<std::string>{});
+        EXPECT_FALSE(material_of(s).map_Kd.at(0).is_mean);
+        return s.objects.at(0).mesh->data().texcoords;
+    };
+    const std::string transform = R"("extensions": {"KHR_texture_transform": {"texCoord": 1}})";
+    EXPECT_EQ(set_of(""), first_set);
+    EXPECT_EQ(set_of(R"(, "texCoord": 1)"), second_set);
+    EXPECT_EQ(set_of(", " + transform), second_set);
+    EXPECT_EQ(set_of(R"(, "texCoord": 5, )" + transform), second_set);
+}
+
+TEST_F(GltfSurface, ATextureOfAnotherSetIsItsMeanWithAWarning) {
+    const Scene s = scene(R"({"name": "lamp", "emissiveFactor": [1, 1, 1],
+"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}},
+"emissiveTexture": {"index": 0}})");
+    EXPECT_EQ(
+        warnings,
+        (std::vector<std::string>{
+            "m.gltf: material 'lamp': its emissiveTexture has texCoord 0 beside textures with 1; "
+            "expected one for all, so it is drawn with its mean"}));
+    EXPECT_EQ(s.objects.at(0).mesh->data().texcoords, second_set);
+    EXPECT_FALSE(material_of(s).map_Kd.at(0).is_mean);
+    EXPECT_TRUE(material_of(s).map_Ke.at(0).is_mean);
+}
+
 TEST_F(GltfSurface, AMetallicRoughnessMapGoesWithItsFactors) {
     const Scene s = scene(
         R"({"pbrMetallicRoughness": {"roughnessFactor": 0.25, "metallicRoughnessTexture": {"index": 0}}})");
@@ -104,6 +140,21 @@ TEST_F(GltfSurface, AMetallicRoughnessMapGoesWithItsFactors) {
     EXPECT_EQ(m.physical->roughness, 0.25);
     EXPECT_EQ(m.physical->metallic, 1);
     EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(GltfSurface, SpecularGlossinessReplacesMetallicRoughness) {
+    const Scene s = scene(
+        R"({"name": "old", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}},
+"extensions": {"KHR_materials_pbrSpecularGlossiness": {"glossinessFactor": 0.75,
+"diffuseTexture": {"index": 0}, "specularGlossinessTexture": {"index": 0}}}})");
+    EXPECT_EQ(warnings,
+              (std::vector<std::string>{"m.gltf: material 'old': its specularGlossinessTexture is "
+                                        "drawn with its means"}));
+    EXPECT_EQ(s.objects.at(0).mesh->data().texcoords, first_set);
+    EXPECT_EQ(material_of(s).map_Kd.size(), 1u);
+    ASSERT_EQ(material_of(s).map_metal.size(), 1u);
+    EXPECT_EQ(material_of(s).physical->F0, dvec3(1));
+    EXPECT_EQ(material_of(s).physical->roughness, 0.25);
 }
 
 }  // namespace gw::scene

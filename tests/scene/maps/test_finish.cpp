@@ -226,4 +226,21 @@ TEST(Finish, AMirroredMapThatIsTooLargeIsOneWarning) {
                                         "mirrored; expected at most 2048"}));
 }
 
+/// Half of the light of white is 188 of 255 in sRGB, 128 if light is counted.
+TEST(Finish, PutsAMeanInPlaceOfAMapWithoutCoordinates) {
+    for (const bool is_encoded : {true, false}) {
+        Scene scene;
+        Material m{.name = "lamp"};
+        m.is_encoded = is_encoded;
+        const std::vector<std::uint8_t> texels{255, 255, 255, 255, 0, 0, 0, 255};
+        m.map_Ke = {Map{.texture = make_texture8("dots", 2, 1, texels), .is_mean = true}};
+        scene.materials = {m};
+        Warnings warnings;
+        finish(scene, warnings);
+        const Texture& mean = *scene.materials[0].map_Ke.at(0).texture;
+        EXPECT_EQ(mean.width() * mean.height(), 1);
+        EXPECT_EQ((mean.levels.front().rgba[0] + 128) / 257, is_encoded ? 188 : 128);
+    }
+}
+
 }  // namespace gw::scene

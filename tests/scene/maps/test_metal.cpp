@@ -118,4 +118,36 @@ TEST(MetalMap, AMapThatLiesInAnotherWayHasItsMeans) {
                 srgb(diffuse) + metal_Kd(srgb(diffuse + peak) - srgb(diffuse), 0.5) / 4, 1e-4);
 }
 
+/// F0 0.5 times the mean of 1 and 0; of the glossiness 0.8 the mean of 0.5 and 1.
+TEST(SpecularGlossinessMap, IsItsMeans) {
+    Scene scene;
+    Physical p{.base = dvec3(0.5), .F0 = dvec3(0.5), .metallic = 0, .roughness = 0.2};
+    Material m{.name = "old"};
+    const std::vector<std::uint16_t> texels{0xFFFF, 0xFFFF, 0xFFFF, 0x7FFF, 0, 0, 0, 0xFFFF};
+    m.map_metal = {Map{.texture = make_texture("texels", 2, 1, texels)}};
+    m.physical = std::make_shared<const Physical>(p);
+    scene.materials = {m};
+    EXPECT_TRUE(finished(scene).empty());
+    p.F0 = dvec3(0.25);
+    p.roughness = 0.4;
+    Material expected;
+    set_words(p, expected);
+    const Material& made = scene.materials[0];
+    EXPECT_NEAR(made.Ks.x, expected.Ks.x, 1e-4);
+    EXPECT_NEAR(made.Ns, expected.Ns, 1e-2);
+    EXPECT_EQ(made.Kd, expected.Kd);
+    EXPECT_TRUE(made.map_metal.empty());
+}
+
+TEST(MetalMap, OfAnotherSetOfCoordinatesIsItsMeans) {
+    Scene scene = surface({0.5, 0.25, 0.1}, 1, {{0, 1, 0}, {0, 0.5, 1}});
+    Scene even = surface({0.5, 0.25, 0.1}, 1, {{0, 0.75, 0.5}});
+    scene.materials[0].map_metal[0].is_mean = true;
+    EXPECT_TRUE(finished(scene).empty());
+    EXPECT_TRUE(finished(even).empty());
+    EXPECT_TRUE(scene.materials[0].map_Kd.empty());
+    EXPECT_NEAR(scene.materials[0].Ks.x, even.materials[0].Ks.x, 1e-4);
+    EXPECT_NEAR(scene.materials[0].Kd.x, even.materials[0].Kd.x, 1e-4);
+}
+
 }  // namespace gw::scene
