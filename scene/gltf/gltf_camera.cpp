@@ -190,7 +190,7 @@ ExposedLights exposed(const GltfDocument& document, const std::vector<GltfLight>
     const double bright = LitSurfaces(scene, lights).bright();
     const double divisor = std::max(bright, 1.0);
     if (divisor > 1)
-        document.warn("exposure", "its lights give " + number_text(double(float(bright))) +
+        document.warn("exposure", "its lights give " + number_text(std::round(bright * 100) / 100) +
                                       " times white on bright surfaces; expected at most 1, so all "
                                       "are divided by it");
     ExposedLights out{{}, lights.empty() ? 0 : pi * divisor};
