@@ -1,6 +1,7 @@
 #include "apps/radiosity/light_maps.h"
 
 #include "apps/command/terminal.h"
+#include "apps/radiosity/own_textures.h"
 #include "gw/base/arithmetic.h"
 #include "gw/base/elementary.h"
 #include "image/rgbm.h"
@@ -42,12 +43,21 @@ image::Picture in_rgbm(const radiosity::AtlasPage& page, const std::vector<float
     return picture;
 }
 
-scene::WrittenMesh written(const radiosity::AtlasMesh& mesh, const scene::Scene& scene) {
-    return {.name = scene.objects[mesh.object].name,
+/// A map's coordinates are moved, so that a texture needs no other statement.
+scene::WrittenMesh written(radiosity::AtlasMesh mesh, const scene::Scene& scene,
+                           OwnTextures& textures, image::OutputSet& files) {
+    const scene::Object& object = scene.objects[mesh.object];
+    const scene::Material& material = scene.materials[object.material];
+    const std::optional<std::size_t> own = textures.of(object, material, files);
+    if (own)
+        for (vec2& st : mesh.texcoords)
+            st = st * material.map_Kd[0].scale + material.map_Kd[0].offset;
+    return {.name = object.name,
             .picture = mesh.page,
-            .positions = mesh.positions,
-            .texcoord_0 = mesh.texcoords,
-            .texcoord_1 = mesh.st};
+            .texture = own,
+            .positions = std::move(mesh.positions),
+            .texcoord_0 = std::move(mesh.texcoords),
+            .texcoord_1 = std::move(mesh.st)};
 }
 
 void put_page(const RadiosityOptions& options, const radiosity::AtlasPage& page,
@@ -93,8 +103,10 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
         image::put_picture(files.add(options.output / (name + ".png")), shown(page, values, scale));
         put_page(options, page, std::move(values), name, files);
     }
-    for (const radiosity::AtlasMesh& mesh : radiosity::atlas_meshes(atlas, scene, model))
-        out.meshes.push_back(written(mesh, scene));
+    OwnTextures textures(options.output / prefix);
+    for (radiosity::AtlasMesh& mesh : radiosity::atlas_meshes(atlas, scene, model))
+        out.meshes.push_back(written(std::move(mesh), scene, textures, files));
+    out.textures = textures.all();
     const scene::GltfText text = scene::write_gltf(out, prefix + "light_maps.bin");
     files.add(options.output / (prefix + "light_maps.gltf")).write_text(text.json);
     files.add(options.output / (prefix + "light_maps.bin")).write_text(text.bytes);

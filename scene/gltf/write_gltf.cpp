@@ -8,13 +8,29 @@
 
 #include <bit>
 #include <cstdint>
+#include <map>
+#include <utility>
 
 namespace gw::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum : int { Float = 5126, ArrayBuffer = 34962, Linear = 9729, ClampToEdge = 33071 };
+enum : int {
+    Float = 5126,
+    ArrayBuffer = 34962,
+    Linear = 9729,
+    LinearMipmapLinear = 9987,
+    Repeat = 10497,
+    ClampToEdge = 33071,
+    MirroredRepeat = 33648
+};
+
+int wrap_of(Wrap wrap) {
+    return wrap == Wrap::Repeat           ? Repeat
+           : wrap == Wrap::MirroredRepeat ? MirroredRepeat
+                                          : ClampToEdge;
+}
 
 Json extras_of(const WrittenPicture& picture) {
     Json extras{{"exact", picture.exact}, {"scale", picture.scale}};
@@ -49,17 +65,44 @@ private:
                                      {"minFilter", int(Linear)},
                                      {"wrapS", int(ClampToEdge)},
                                      {"wrapT", int(ClampToEdge)}});
-        for (std::size_t i = 0; i < scene_.pictures.size(); ++i) {
-            const WrittenPicture& picture = scene_.pictures[i];
-            json_["images"].push_back({{"uri", picture.file}});
-            json_["textures"].push_back({{"sampler", 0}, {"source", i}});
-            json_["materials"].push_back(
-                {{"name", picture.file},
-                 {"pbrMetallicRoughness",
-                  {{"baseColorTexture", {{"index", i}, {"texCoord", 1}}}, {"metallicFactor", 0}}},
-                 {"extensions", {{"KHR_materials_unlit", Json::object()}}},
-                 {"extras", extras_of(picture)}});
+        for (const WrittenPicture& picture : scene_.pictures) add_picture(picture.file, 0);
+        for (const WrittenTexture& texture : scene_.textures) {
+            json_["samplers"].push_back({{"magFilter", int(Linear)},
+                                         {"minFilter", int(LinearMipmapLinear)},
+                                         {"wrapS", wrap_of(texture.wrap_s)},
+                                         {"wrapT", wrap_of(texture.wrap_t)}});
+            add_picture(texture.file, json_["samplers"].size() - 1);
         }
+    }
+
+    void add_picture(const std::string& file, std::size_t sampler) {
+        json_["images"].push_back({{"uri", file}});
+        json_["textures"].push_back({{"sampler", sampler}, {"source", json_["images"].size() - 1}});
+    }
+
+    /// One for each pair of picture and texture.
+    std::size_t material_of(const WrittenMesh& mesh) {
+        const auto [place, is_new] =
+            materials_.try_emplace({mesh.picture, mesh.texture}, materials_.size());
+        if (!is_new) return place->second;
+        const WrittenPicture& picture = scene_.pictures[mesh.picture];
+        Json extras = extras_of(picture);
+        std::string name = picture.file;
+        if (mesh.texture) {
+            const WrittenTexture& own = scene_.textures[*mesh.texture];
+            extras["own"] = {{"index", scene_.pictures.size() + *mesh.texture},
+                             {"texCoord", 0},
+                             {"mean", Json::array({own.mean.x, own.mean.y, own.mean.z})}};
+            name += ", " + own.file;
+        }
+        json_["materials"].push_back(
+            {{"name", name},
+             {"pbrMetallicRoughness",
+              {{"baseColorTexture", {{"index", mesh.picture}, {"texCoord", 1}}},
+               {"metallicFactor", 0}}},
+             {"extensions", {{"KHR_materials_unlit", Json::object()}}},
+             {"extras", extras}});
+        return place->second;
     }
 
     void add_mesh(const WrittenMesh& mesh) {
@@ -67,7 +110,7 @@ private:
                                  {"TEXCOORD_0", add_texcoords(mesh.texcoord_0)},
                                  {"TEXCOORD_1", add_texcoords(mesh.texcoord_1)}};
         json_["nodes"].push_back({{"name", mesh.name}, {"mesh", json_["meshes"].size()}});
-        const Json primitive = {{"attributes", attributes}, {"material", mesh.picture}};
+        const Json primitive = {{"attributes", attributes}, {"material", material_of(mesh)}};
         json_["meshes"].push_back({{"name", mesh.name}, {"primitives", Json::array({primitive})}});
     }
 
@@ -132,6 +175,7 @@ private:
     }
 
     const WrittenScene& scene_;
+    std::map<std::pair<std::size_t, std::optional<std::size_t>>, std::size_t> materials_;
     Json json_;
     std::string bytes_;
 };

@@ -20,9 +20,17 @@ struct WrittenPicture {
     double range = 0;   ///< of `rgbm`
 };
 
+/// A texture that TEXCOORD_0 looks up: `extras` of a material name it.
+struct WrittenTexture {
+    std::string file;  ///< PNG or JPEG, encoded as in sRGB, from the file's folder
+    Wrap wrap_s = Wrap::Repeat, wrap_t = Wrap::Repeat;
+    dvec3 mean{1};  ///< of its texels, decoded
+};
+
 struct WrittenMesh {
     std::string name;
-    std::size_t picture = 0;  ///< that TEXCOORD_1 looks up
+    std::size_t picture = 0;               ///< that TEXCOORD_1 looks up
+    std::optional<std::size_t> texture{};  ///< of the scene's `textures`
     /// Three for each triangle. Texture coordinates have t upwards, as the machine's.
     std::vector<vec3> positions;
     std::vector<vec2> texcoord_0, texcoord_1;
@@ -30,6 +38,7 @@ struct WrittenMesh {
 
 struct WrittenScene {
     std::vector<WrittenPicture> pictures;
+    std::vector<WrittenTexture> textures;
     std::vector<WrittenMesh> meshes;  ///< each with a triangle at least
     std::optional<Camera> camera;     ///< with its near and far plane filled in
     double aspect = 1;                ///< width / height of the camera's picture

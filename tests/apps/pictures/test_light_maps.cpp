@@ -9,6 +9,8 @@
 #include "tests/apps/pictures.h"
 #include "tests/apps/scene_files.h"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace gw::apps {
@@ -170,6 +172,41 @@ TEST_F(LightMaps, InRgbmAreTheExactOnesWithinTheirBound) {
     EXPECT_NE(gltf.find("\"light_map_1_rgbm.png\""), gltf.npos);
     expect_refused(2, {"radiosity", "box.toml", "-o", "no", "--rgbm", "4"},
                    {"--lightmaps beside it"});
+}
+
+/// Linear texels 1, 0.2, 0.4, 0 in red, twice each way: the glTF has them as a display shows them, and
+/// their mean as light.
+TEST_F(LightMaps, NameTheTexturesThatSurfacesHave) {
+    write("dots.ppm", "P3 2 2 255 255 0 51  51 0 51  102 0 51  0 0 51\n");
+    write("floor.toml",
+          bytes_of(in("box.toml")) +
+              "[[object]]\nshape = \"rectangle\"\nname = \"mat\"\nwidth = 1\ndepth = 1\n"
+              "translate = [0, 0.1, 0]\nmaterial = \"mat\"\n"
+              "[material.mat]\nKd = 0.5\nmap_Kd = { file = \"dots.ppm\", scale = [2, 2] }\n");
+    const Outcome outcome = gw({"radiosity", "floor.toml", "-o", "own", "--hemicube", "16",
+                                "--shots", "2", "--size", "8x8", "--lightmaps", "--quiet"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Pixels own = read_pixels(in("own/own_texture_1.png"));
+    ASSERT_EQ(own.width, 2);
+    const double red[] = {1, 0.2, 0.4, 0};
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_NEAR(double(own.at(i % 2, i / 2)[0]), encoded(red[i]), 0.501 / 255);
+        EXPECT_EQ(own.at(i % 2, i / 2)[1], 0);
+    }
+    const auto gltf = nlohmann::json::parse(bytes_of(in("own/light_maps.gltf")));
+    std::size_t named = 0;
+    for (const auto& mesh : gltf["meshes"]) {
+        const auto& primitive = mesh["primitives"][0];
+        const auto& extras = gltf["materials"][primitive["material"].get<std::size_t>()]["extras"];
+        EXPECT_EQ(extras.contains("own"), mesh["name"] == "mat");
+        if (!extras.contains("own")) continue;
+        ++named;
+        EXPECT_NEAR(extras["own"]["mean"][0].get<double>(), 0.4, 1e-9);
+        EXPECT_NEAR(extras["own"]["mean"][2].get<double>(), 0.2, 1e-9);
+        const auto& texture = gltf["textures"][extras["own"]["index"].get<std::size_t>()];
+        EXPECT_EQ(gltf["images"][texture["source"].get<std::size_t>()]["uri"], "own_texture_1.png");
+    }
+    EXPECT_EQ(named, 1u);
 }
 
 TEST_F(LightMaps, AreRefusedWithoutAPicture) {

@@ -5,6 +5,7 @@
 #include "tests/scene/folder.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -16,11 +17,13 @@ WrittenScene triangles() {
     scene.pictures = {{"a.png", "a.exr", 2}, {"b.png", "b.exr", 2}};
     scene.meshes = {{"floor",
                      0,
+                     std::nullopt,
                      {{0, 0, 0}, {1, 0, 0}, {0, 0.1f, 2}},
                      {{0, 0}, {1, 0}, {0, 1}},
                      {{0.25f, 0.5f}, {0.75f, 0.5f}, {0.25f, 1}}},
                     {"wall",
                      1,
+                     std::nullopt,
                      {{-1, 5, 0}, {1, 0, 0}, {0, 1, 1e-3f}},
                      {{0, 0}, {0, 0}, {0, 0}},
                      {{0, 0}, {1, 0}, {1, 1}}}};
@@ -67,6 +70,27 @@ TEST(WriteGltf, TheReaderFindsTrianglesPicturesAndCamera) {
     EXPECT_EQ(scene.camera->far_plane, 60);
     const dvec3 way = scene.camera->at - scene.camera->eye;
     EXPECT_NEAR(way.y / way.z, -2.0 / -7, 1e-12);
+}
+
+/// Programs find it as any texture; viewers show the picture alone.
+TEST(WriteGltf, ExtrasNameTheTextureBeside) {
+    WrittenScene written = triangles();
+    written.textures = {{"wood.png", Wrap::Clamp, Wrap::Repeat, dvec3(0.5, 0.25, 1)}};
+    written.meshes[1].texture = 0;
+    written.meshes.push_back(written.meshes[1]);
+    const auto json = nlohmann::json::parse(write_gltf(written, "s.bin").json);
+    ASSERT_EQ(json["materials"].size(), 2u);
+    EXPECT_FALSE(json["materials"][0]["extras"].contains("own"));
+    EXPECT_EQ(json["materials"][1]["extras"]["own"],
+              nlohmann::json::parse(R"({"index": 2, "texCoord": 0, "mean": [0.5, 0.25, 1.0]})"));
+    const auto& own = json["textures"][2];
+    EXPECT_EQ(json["images"][own["source"].get<std::size_t>()]["uri"], "wood.png");
+    const auto& sampler = json["samplers"][own["sampler"].get<std::size_t>()];
+    EXPECT_EQ(sampler["wrapS"], 33071);
+    EXPECT_EQ(sampler["wrapT"], 10497);
+    for (const int mesh : {1, 2}) EXPECT_EQ(json["meshes"][mesh]["primitives"][0]["material"], 1);
+    std::vector<std::string> lines;
+    EXPECT_EQ(read_back(written, lines).materials.at(1).map_Ke.size(), 1u);
 }
 
 TEST(WriteGltf, TheReaderFindsAParallelCamera) {

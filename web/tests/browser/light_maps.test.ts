@@ -1,7 +1,7 @@
 // Light maps of gw radiosity in another program: three.js draws their glTF in Chromium, as gw draws
 // the solution from the same eye.
 import { execFileSync } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { build } from 'esbuild';
@@ -13,12 +13,22 @@ const gw = process.env['GW'] ?? '';
 const scenes = process.env['GW_SCENES'] ?? '';
 const side = 256;
 
-/** Draws a glTF in the size of its aspect. Nothing of three.js is set but the size. */
+/** Draws a glTF in the size of its aspect. Nothing of three.js is set but the size; and, if
+ * wanted, the textures that surfaces have, as docs/radiosity.md says. */
 const program = `
-  import { PerspectiveCamera, WebGLRenderer } from 'three';
+  import { SRGBColorSpace, WebGLRenderer } from 'three';
   import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
-  window.draw = async (text, side) => {
-    const { scene, cameras } = await new GLTFLoader().parseAsync(text, '');
+  const texture = async (parser, material) => {
+    const own = await parser.getDependency('texture', material.userData.own.index);
+    own.colorSpace = SRGBColorSpace;
+    material.color.setRGB(...material.userData.own.mean.map((m) => (m ? 1 / m : 0)));
+    [material.lightMap, material.lightMapIntensity, material.map] = [material.map, Math.PI, own];
+  };
+  window.draw = async (text, side, textured) => {
+    const { scene, cameras, parser } = await new GLTFLoader().parseAsync(text, '');
+    const materials = new Set();
+    scene.traverse((node) => node.material?.userData.own && materials.add(node.material));
+    if (textured) for (const material of materials) await texture(parser, material);
     const renderer = new WebGLRenderer({ preserveDrawingBuffer: true });
     renderer.setSize(side, side);
     renderer.render(scene, cameras[0]);
@@ -47,6 +57,9 @@ function embedded(folder: string): string {
 const encoded = (v: number) =>
   255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * Math.pow(v, 1 / 2.4) - 0.055);
 
+const decoded = (v: number) =>
+  v / 255 <= 0.04045 ? v / 255 / 12.92 : Math.pow((v / 255 + 0.055) / 1.055, 2.4);
+
 /** Differences by channel of the pictures of gw, top row first, and three.js, bottom row first. */
 function differences(folder: string, drawn: number[]): number[] {
   const picture = decode(readFileSync(join(folder, 'picture.png')));
@@ -59,6 +72,35 @@ function differences(folder: string, drawn: number[]): number[] {
         all.push(Math.abs(ours - drawn[((side - 1 - y) * side + x) * 4 + c]!));
       }
   return all;
+}
+
+type Draw = (text: string, side: number, textured: boolean) => Promise<number[]>;
+
+/** The pixels of three.js for the light maps of a folder, bottom row first. */
+async function drawing(browser: Browser, folder: string, textured = false): Promise<number[]> {
+  const page = await browser.newPage();
+  const complaints: string[] = [];
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  const bundle = await build({
+    stdin: { contents: program, resolveDir: process.cwd() },
+    bundle: true,
+    format: 'iife',
+    write: false,
+    logLevel: 'error',
+  });
+  await page.addScriptTag({ content: bundle.outputFiles[0]!.text });
+  const drawn = await page.evaluate(
+    (text, size, own) => (window as unknown as { draw: Draw }).draw(text, size, own),
+    embedded(folder),
+    side,
+    textured,
+  );
+  await page.close();
+  expect(complaints).toEqual([]);
+  return drawn;
 }
 
 describe('three.js', () => {
@@ -88,31 +130,7 @@ describe('three.js', () => {
       ...['--hemicube', '64', '--size', `${side}x${side}`, '--lightmaps'],
       '--quiet',
     ]);
-    const page = await browser.newPage();
-    const complaints: string[] = [];
-    page.on('pageerror', (error) => complaints.push(String(error)));
-    page.on('console', (message) => {
-      if (message.type() === 'error') complaints.push(message.text());
-    });
-    const bundle = await build({
-      stdin: { contents: program, resolveDir: process.cwd() },
-      bundle: true,
-      format: 'iife',
-      write: false,
-      logLevel: 'error',
-    });
-    await page.addScriptTag({ content: bundle.outputFiles[0]!.text });
-    const drawn = await page.evaluate(
-      (text, size) =>
-        (window as unknown as { draw(text: string, side: number): Promise<number[]> }).draw(
-          text,
-          size,
-        ),
-      embedded(folder),
-      side,
-    );
-    await page.close();
-    expect(complaints).toEqual([]);
+    const drawn = await drawing(browser, folder);
     const off = differences(folder, drawn);
     const mean = off.reduce((sum, v) => sum + v, 0) / off.length;
     const farther = off.filter((v) => v > 2).length / off.length;
@@ -120,5 +138,63 @@ describe('three.js', () => {
     expect(lit).toBeGreaterThan(0.5);
     expect(mean).toBeLessThan(0.5);
     expect(farther).toBeLessThan(0.002);
+  });
+
+  // A floor of four colours fills the picture; the lamp above it turns its back.
+  it('shows the textures that surfaces have, as light times texel by mean', async () => {
+    const colors = [
+      [255, 51, 0],
+      [51, 255, 102],
+      [0, 0, 255],
+      [153, 153, 153],
+    ];
+    const rows = [0, 1, 2, 3, 4, 5, 6, 7].map((y) =>
+      [0, 1, 2, 3, 4, 5, 6, 7].map((x) => colors[(y >> 2) * 2 + (x >> 2)]!.join(' ')).join(' '),
+    );
+    writeFileSync(join(folder, 'four.ppm'), `P3 8 8 255 ${rows.join(' ')}\n`);
+    writeFileSync(
+      join(folder, 'floor.toml'),
+      `texels = 8
+[camera]
+eye = [0, 4, 0]
+at = [0, 0, 0]
+up = [0, 0, -1]
+ortho = 2
+[[object]]
+shape = "rectangle"
+width = 2
+depth = 2
+material = { Kd = 0.8, map_Kd = "four.ppm" }
+[[object]]
+shape = "rectangle"
+width = 1
+depth = 1
+rotate = [180, 0, 0]
+translate = [0, 1.5, 0]
+material = { Kd = 0 }
+pixmap = { size = [2, 2], emission = 2 }
+`,
+    );
+    execFileSync(gw, [
+      ...['radiosity', join(folder, 'floor.toml'), '-o', folder, '--hemicube', '64'],
+      ...['--size', `${side}x${side}`, '--lightmaps', '--quiet'],
+    ]);
+    const plain = await drawing(browser, folder);
+    const textured = await drawing(browser, folder, true);
+    const mean = [0, 1, 2].map((c) => colors.reduce((sum, color) => sum + color[c]!, 0) / 4);
+    let lit = 0;
+    for (let y = 24; y < side - 16; y += 16)
+      for (let x = 24; x < side - 16; x += 16) {
+        if (Math.abs(x - 128) < 32 || Math.abs(y - 128) < 32) continue; // between texels
+        const color = colors[(y < 128 ? 2 : 0) + (x < 128 ? 0 : 1)]!;
+        for (let c = 0; c < 3; ++c) {
+          const at = (y * side + x) * 4 + c;
+          const light = decoded(plain[at]!);
+          lit += light > 0.05 ? 1 : 0;
+          const expected = encoded(Math.min(1, (light * color[c]!) / mean[c]!));
+          expect(Math.abs(expected - textured[at]!)).toBeLessThan(4);
+        }
+      }
+    expect(lit).toBeGreaterThan(100);
   });
 });
