@@ -53,6 +53,15 @@ describePages('the quiz', (pages) => {
     expect(await pages.textOf('.answer b')).toBe('答えは 1 3 です。');
     expect(await pages.page.$eval('.bar input[type=range]', (e) => e.value)).toBe('3');
     expect(await pages.textOf('.at-pixel')).toContain('4, 2');
+    // All of the step is seen, below the answer.
+    await pages.page.waitForFunction(() => {
+      const boxes = ['.answer', '.stack', '.second', '.sentence', '.bar'].map((part) =>
+        document.querySelector(part)!.getBoundingClientRect(),
+      );
+      return boxes.every(({ top, bottom }) => top >= 0 && bottom <= innerHeight);
+    });
+    const stack = (await (await pages.page.$('.stack'))!.boundingBox())!;
+    expect(stack.width).toBeGreaterThan(400);
     await pages.page.keyboard.press('ArrowLeft');
     expect(await pages.page.$eval('.bar input[type=range]', (e) => e.value)).toBe('2');
     for (const [width, height] of [
