@@ -14,19 +14,6 @@
 namespace gw::fast {
 namespace {
 
-std::uint64_t hash_of(const Light& l) {
-    Hash hash;
-    for (const float v : {l.position.x, l.position.y, l.position.z, l.Ia.x, l.Id.x, l.Id.y, l.Is.x})
-        hash.add(double(v));
-    return hash.value();
-}
-
-void add_material(Hash& hash, const Material& m) {
-    const std::array<double, 14> values{m.Ka.x, m.Ka.y, m.Ka.z, m.Kd.x, m.Kd.y, m.Kd.z, m.Ks.x,
-                                        m.Ks.y, m.Ks.z, m.Ke.x, m.Ke.y, m.Ke.z, m.Ns,   m.alpha};
-    hash.add_all(values.data(), values.size());
-}
-
 /// The groups of blocks of a window.
 std::size_t group_count(const Rect& window) {
     const auto groups = [](int pixels) {
@@ -35,25 +22,40 @@ std::size_t group_count(const Rect& window) {
     return groups(window.width) * groups(window.height);
 }
 
-/// The values of one kind that a segment's draws share.
+/// The values of one kind that a segment's draws share. Each object has room for every part of a set.
 template <class T>
 struct SharedValues {
+    struct Made {
+        T* values;
+        std::size_t before;  ///< the one before of the same set: its number, or none
+    };
+    static constexpr std::size_t none = ~std::size_t{0};
+
     Pool<T>& pool;
-    PointerTable<T> table{};
-    std::vector<T*> made{};
+    std::vector<Made> made{};
+    std::vector<std::size_t> last{};  ///< by set: the number of the one made last
 
     T* make(const GroupDraws& group) {
         T& out = pool.next();
         out.inputs.begin(group);
-        made.push_back(&out);
+        std::size_t& newest = last[group.group.set_number];
+        made.push_back({&out, newest});
+        newest = made.size() - 1;
         return &out;
     }
-    /// The values of the group's set under its state, with the group's parts among them.
-    T* find_or_make(std::uint64_t hash, const GroupDraws& group,
-                    bool (*same)(const VertexInputs&, const GroupDraws&)) {
-        T* out = table.find(hash, [&](const T& t) { return same(t.inputs, group); });
-        if (!out) table.add(hash, out = make(group));
-        out->inputs.add(group);
+    /// Of the set's last ones: that with the group's values, or the oldest with room, to which the
+    /// group is added.
+    T* find_or_make(const GroupDraws& group, const SameValues& same) {
+        constexpr int most_tried = 8;
+        T* out = nullptr;
+        std::size_t at = last[group.group.set_number];
+        for (int i = 0; i < most_tried && at != none; ++i, at = made[at].before) {
+            T* const tried = made[at].values;
+            if (tried->inputs.has_values_of(group, same)) return tried;
+            if (tried->inputs.has_room_for(group)) out = tried;
+        }
+        if (!out) out = make(group);
+        out->inputs.add(group, same);
         return out;
     }
 };
@@ -83,60 +85,8 @@ struct Planner {
     SharedValues<VertexColors> colors{segment.colors};
     SharedValues<VertexFog> fogs{segment.fogs};
     SharedValues<VertexTexcoords> texcoords{segment.texcoords};
-    std::vector<VertexColors*> last_colors{};           ///< by set: those made last
-    const std::vector<Light>* hashed_lights = nullptr;  ///< of the last draw
-    std::uint64_t lights_hash = 0;
     const Texture* last_texture = nullptr;
     FastTexels* last_texels = nullptr;
-
-    std::uint64_t hash_of_lights(const LightsRef& lights) {
-        if (lights.get() == hashed_lights) return lights_hash;
-        Hash hash;
-        if (lights)
-            for (const Light& light : *lights) hash.add(hash_of(light));
-        hashed_lights = lights.get();
-        return lights_hash = hash.value();
-    }
-
-    std::uint64_t hash_of_colors(const GroupDraws& in) {
-        Hash hash;
-        hash.add(&in.group).add(std::uint64_t(in.state->color_source));
-        if (in.state->color_source == ColorSource::Lighting) {
-            hash.add(double(in.state->lighting.model_ambient.x));
-            for (std::size_t i = 0; i < in.group.parts; ++i) {
-                add_material(hash, in.draws[i]->material);
-                hash.add(hash_of_lights(in.draws[i]->lights));
-            }
-        }
-        return hash.value();
-    }
-    /// Shares the colours of an equal draw of the group, or adds the group's to those of its set.
-    const VertexColors* colors_of(const GroupDraws& in) {
-        const std::uint64_t hash = hash_of_colors(in);
-        if (VertexColors* const found = colors.table.find(
-                hash, [&](const VertexColors& c) { return same_colors(c.inputs, in); }))
-            return found;
-        VertexColors*& last = last_colors[in.group.set_number];
-        if (!last || !same_lighting(last->inputs, in) || !last->inputs.has_room_for(in.group))
-            last = colors.make(in);
-        last->inputs.add(in);
-        colors.table.add(hash, last);
-        return last;
-    }
-    const VertexFog* fog_of(const GroupDraws& in) {
-        const FogState& fog = in.state->fog;
-        const std::uint64_t hash =
-            Hash().add(in.group.set).add(double(fog.density)).add(double(fog.end)).value();
-        return fogs.find_or_make(hash, in, same_fog);
-    }
-    const VertexTexcoords* texcoords_of(const GroupDraws& in) {
-        const TextureState& t = texture_of(*in.state, in.unit);
-        Hash hash;
-        hash.add(in.group.set).add(std::uint64_t(t.gen) + 16 * in.unit).add(double(t.eta));
-        if (t.gen == TexGen::EyeLinear) hash.add_all(&t.eye_linear[0][0], 16);
-        if (t.matrix != dmat4(1)) hash.add_all(&t.matrix[0][0], 16);
-        return texcoords.find_or_make(hash.value(), in, same_texcoords);
-    }
 
     /// `compared`: only its depths are wanted.
     FastTexels* texels(const TextureBinding& binding, bool compared = false) {
@@ -164,7 +114,7 @@ struct Planner {
             const TextureState& t = texture_of(*in.state, in.unit);
             FastTexels* const found = texels(map, t.shadow_compare);
             const bool projective = divides_by_q(t, draw, in.unit);
-            units[in.unit] = {found, texcoords_of(in), projective,
+            units[in.unit] = {found, texcoords.find_or_make(in, same_texcoords), projective,
                               pairs_of(*found, t, projective, op.state.texture(in.unit))};
             op.texels = units[in.unit].texels;
             op.texcoords = units[in.unit].texcoords;
@@ -178,17 +128,18 @@ struct Planner {
         op.texels = found;
         op.projective = divides_by_q(t, draw);
         op.pairs = pairs_of(*found, t, op.projective, op.state);
-        op.texcoords = texcoords_of(in);
+        op.texcoords = texcoords.find_or_make(in, same_texcoords);
     }
     const std::vector<std::uint32_t>* table_of(ScannedState& state) {
         if (!state.fog_table) {
-            segment.fog_tables.push_back(fog_table_of(state.state->fog));
-            state.fog_table = &segment.fog_tables.back();
+            FogState fog = state.state->fog;
+            fog.color = {};
+            std::deque<FogTable>& all = segment.fog_tables;
+            if (all.empty() || all.back().of != fog)
+                all.push_back({fog, gw::fog_table(fog, profile.color_bits)});
+            state.fog_table = &all.back().values;
         }
         return state.fog_table;
-    }
-    std::vector<std::uint32_t> fog_table_of(const FogState& fog) const {
-        return gw::fog_table(fog, profile.color_bits);
     }
 
     void include_jitter(GeometrySet& set, const Resolved& r) const {
@@ -224,8 +175,8 @@ struct Planner {
         const GroupDraws inputs{group, &state, draws};
         if (op.look_ups > 0 && op.needs_color)
             has_more(first) ? bind_units(op, first, inputs) : bind_texture(op, first, inputs);
-        if (op.needs_color && !exact_id) op.colors = colors_of(inputs);
-        if (op.colors && state.fog.enable) op.fog = fog_of(inputs);
+        if (op.needs_color && !exact_id) op.colors = colors.find_or_make(inputs, same_colors);
+        if (op.colors && state.fog.enable) op.fog = fogs.find_or_make(inputs, same_fog);
         if (state.fog.enable && op.state.fragment_fog) op.fog_table = table_of(scanned);
         op.sums_colors = op.colors && sums_colors(state);
         op.direct_fog = op.fog && fog_is_direct(state.fog, op.state.fragment_fog);
@@ -284,7 +235,10 @@ struct Planner {
     void add_steps() {
         const std::span<const Step> steps = segment.scan.steps();
         segment.draws.reserve(steps.size());  // their addresses are kept
-        last_colors.assign(segment.scan.sets().size(), nullptr);
+        const std::size_t sets = segment.scan.sets().size();
+        colors.last.assign(sets, colors.none);
+        fogs.last.assign(sets, fogs.none);
+        texcoords.last.assign(sets, texcoords.none);
         for (std::size_t i = 0; i < steps.size();) {
             if (i + 4 < steps.size()) prefetch(steps[i + 4].command, sizeof(Draw));
             segment.uses_both_colors =
@@ -312,11 +266,11 @@ struct Planner {
         const std::size_t colors_end = colors.made.size(), fog_end = colors_end + fogs.made.size();
         parallel_for(fog_end + texcoords.made.size(), threads, [&](std::size_t i, int) {
             if (i < colors_end)
-                shade_vertices(*colors.made[i], profile);
+                shade_vertices(*colors.made[i].values, profile);
             else if (i < fog_end)
-                fog_vertices(*fogs.made[i - colors_end], profile);
+                fog_vertices(*fogs.made[i - colors_end].values, profile);
             else
-                texture_vertices(*texcoords.made[i - fog_end], profile);
+                texture_vertices(*texcoords.made[i - fog_end].values, profile);
         });
         segment.scan.finish_groups();
         for (TileOp& op : segment.ops)

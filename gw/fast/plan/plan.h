@@ -62,6 +62,11 @@ struct TileOp {
     std::uint32_t count_slot = 0;
 };
 
+struct FogTable {
+    FogState of;  ///< without its colour
+    std::vector<std::uint32_t> values;
+};
+
 /// A run of commands without a barrier. The next segment reuses its memory.
 struct Segment {
     Scan scan;
@@ -70,7 +75,7 @@ struct Segment {
     Pool<VertexColors> colors;
     Pool<VertexFog> fogs;
     Pool<VertexTexcoords> texcoords;
-    std::deque<std::vector<std::uint32_t>> fog_tables;
+    std::deque<FogTable> fog_tables;
     std::deque<PlacedPixels> placed_pixels;
     std::deque<UnitOps> unit_ops;
     std::vector<GeometryScratch> scratch;  ///< by worker

@@ -37,7 +37,7 @@ private:
     std::uint64_t value_ = 0x243F6A8885A308D3u;
 };
 
-/// find() gives up after a few elements with the same hash, so it may miss one; it is always quick.
+/// Keeps a few elements of one hash: others are not found. So it is quick even if all have the same.
 template <class T>
 class PointerTable {
 public:
@@ -52,12 +52,8 @@ public:
     template <class Equal>
     T* find(std::uint64_t hash, const Equal& equal) const {
         if (slots_.empty()) return nullptr;
-        int tried = 0;
-        for (std::size_t i = hash & mask(); slots_[i].element; i = (i + 1) & mask()) {
-            if (slots_[i].hash != hash) continue;
-            if (equal(*slots_[i].element)) return slots_[i].element;
-            if (++tried == most_tried) break;
-        }
+        for (std::size_t i = hash & mask(); slots_[i].element; i = (i + 1) & mask())
+            if (slots_[i].hash == hash && equal(*slots_[i].element)) return slots_[i].element;
         return nullptr;
     }
     /// Prefetches the place where find() begins.
@@ -66,22 +62,26 @@ public:
     }
     void add(std::uint64_t hash, T* element) {
         if (2 * (count_ + 1) > slots_.size()) grow();
-        put({hash, element});
-        count_ += 1;
+        count_ += put({hash, element}) ? 1 : 0;
     }
+    std::size_t size() const { return count_; }
 
 private:
     struct Slot {
         std::uint64_t hash = 0;
         T* element = nullptr;
     };
-    static constexpr int most_tried = 8;
+    static constexpr int most_of_one_hash = 8;
 
     std::size_t mask() const { return slots_.size() - 1; }
-    void put(const Slot& slot) {
+    /// False if there are enough of its hash.
+    bool put(const Slot& slot) {
+        int alike = 0;
         std::size_t i = slot.hash & mask();
-        while (slots_[i].element) i = (i + 1) & mask();
+        for (; slots_[i].element; i = (i + 1) & mask())
+            if (slots_[i].hash == slot.hash && ++alike == most_of_one_hash) return false;
         slots_[i] = slot;
+        return true;
     }
     void grow() {
         std::vector<Slot> old(std::max<std::size_t>(2 * slots_.size(), 16));

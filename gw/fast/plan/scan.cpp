@@ -25,7 +25,7 @@ bool is_small_mesh(const Mesh& mesh, const GeometryState& state) {
 }
 
 template <class... Values>
-void add_integers(Hash& hash, Values... values) {
+void add_numbers(Hash& hash, Values... values) {
     const std::array<double, sizeof...(values)> all{double(values)...};
     hash.add_all(all.data(), all.size());
 }
@@ -33,11 +33,11 @@ void add_integers(Hash& hash, Values... values) {
 std::uint64_t hash_of(const GeometryState& s) {
     Hash hash;
     hash.add_all(&s.projection[0][0], 16);
-    add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
-                 s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.back_polygon_mode,
-                 s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_margin,
-                 s.line_margin, s.fill_margin, s.line_smooth, s.clip_control.origin,
-                 s.clip_control.depth);
+    add_numbers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
+                s.cull.enable, s.cull.face, s.cull.front, s.polygon_mode, s.back_polygon_mode,
+                s.stipple_period, s.keeps_slopes[0], s.keeps_slopes[1], s.point_margin,
+                s.line_margin, s.fill_margin, s.line_smooth, s.clip_control.origin,
+                s.clip_control.depth);
     hash.add(s.depth_range.near_value).add(s.depth_range.far_value);
     for (const ClipPlane& plane : s.clip_planes)
         if (plane.enable) hash.add_all(&plane.plane.x, 4);
@@ -48,19 +48,20 @@ std::uint64_t hash_of(const GeometryState& s) {
 std::uint64_t hash_of(const State& s) {
     Hash hash;
     hash.add_all(&s.projection[0][0], 16);
-    add_integers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
-                 s.scissor.test, s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.jitter.x,
-                 s.jitter.y, s.cull.enable, s.cull.face, s.shade_model, s.color_source,
-                 s.depth.test, s.depth.func, s.depth.mask);
-    add_integers(hash, s.draw_buffer, s.blend.enable, s.blend.src, s.blend.dst, s.stencil.test,
-                 s.stencil.func, s.stencil.ref, s.stencil.mask, s.stencil.zfail, s.stencil.zpass,
-                 s.stencil.write_mask, s.alpha.test, s.alpha.func, s.fog.enable, s.fog.mode,
-                 s.texture.env, s.texture.gen, s.texture.min_filter, s.texture.wrap_s);
-    const std::array values{double(s.alpha.ref),           double(s.fog.density),
-                            double(s.fog.start),           double(s.fog.color.x),
-                            double(s.texture.env_color.x), double(s.lighting.model_ambient.x),
-                            s.depth_range.near_value,      double(s.polygon_offset.units)};
-    return hash.add_all(values.data(), values.size()).value();
+    add_numbers(hash, s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height,
+                s.scissor.test, s.scissor.box.x, s.scissor.box.y, s.scissor.box.width, s.jitter.x,
+                s.jitter.y, s.cull.enable, s.cull.face, s.shade_model, s.color_source, s.depth.test,
+                s.depth.func, s.depth.mask);
+    add_numbers(hash, s.draw_buffer, s.blend.enable, s.blend.src, s.blend.dst, s.stencil.test,
+                s.stencil.func, s.stencil.ref, s.stencil.mask, s.stencil.zfail, s.stencil.zpass,
+                s.stencil.write_mask, s.alpha.test, s.alpha.func, s.fog.enable, s.fog.mode,
+                s.texture.env, s.texture.gen, s.texture.min_filter, s.texture.wrap_s);
+    add_numbers(hash, s.alpha.ref, s.fog.density, s.fog.start, s.fog.end, s.fog.color.x,
+                s.fog.color.y, s.fog.color.z, s.texture.env_color.x, s.texture.env_color.y,
+                s.texture.env_color.z, s.texture.env_color.w, s.lighting.model_ambient.x,
+                s.depth_range.near_value, s.polygon_offset.units, s.polygon_offset.factor,
+                s.line_width, s.point_size, s.blend.color.x, s.texture.lod.bias);
+    return hash.add_all(&s.texture.matrix[0][0], 16).value();
 }
 
 /// Of the part of a draw with this hash.

@@ -15,80 +15,92 @@ bool same_back(const Draw& a, const Draw& b) {
            (a.back_material && b.back_material && *a.back_material == *b.back_material);
 }
 
-/// Whether parts that have a draw already have one for which same(theirs, ours) is true.
-bool same_given(const VertexInputs& a, const GroupDraws& b, const auto& same) {
-    for (std::size_t i = 0; i < b.group.parts; ++i) {
-        const Draw* const draw = a.draws[b.group.first_part + i];
-        if (draw && !same(*draw, *b.draws[i])) return false;
-    }
-    return true;
-}
-
 /// The inputs of fog: its state without the colour.
 bool same_factors(FogState a, const FogState& b) {
     a.color = b.color;
     return a == b;
 }
 
+bool is_lit(const State& s) { return s.color_source == ColorSource::Lighting; }
+
+/// Whether both have colours of back faces, and secondary ones, or neither.
+bool same_lists(const State& a, const State& b) {
+    return is_lit(a) == is_lit(b) && sums_colors(a) == sums_colors(b) &&
+           (!is_lit(a) || a.lighting.two_side == b.lighting.two_side);
+}
+
+bool same_lighting(const State& a, const State& b, std::size_t) {
+    return a.color_source == b.color_source && same_lists(a, b) &&
+           (!is_lit(a) || (a.lighting == b.lighting && a.normalize == b.normalize));
+}
+bool same_surface(const Draw& a, const Draw& b, const State& state, std::size_t) {
+    return same_current(a, b) && (!is_lit(state) || (a.material == b.material && same_back(a, b) &&
+                                                     same_lights(a.lights, b.lights)));
+}
+
+bool same_fog_factors(const State& a, const State& b, std::size_t) {
+    return same_factors(a.fog, b.fog);
+}
+bool same_fog_coordinates(const Draw& a, const Draw& b, const State& state, std::size_t) {
+    return state.fog.source == FogSource::Depth || same_current(a, b);
+}
+
+bool same_generation(const State& a, const State& b, std::size_t unit) {
+    const TextureState &s = texture_of(a, unit), &t = texture_of(b, unit);
+    return s.gen == t.gen && (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
+           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
+           (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
+           s.matrix == t.matrix && a.normalize == b.normalize;
+}
+bool same_given_texcoords(const Draw& a, const Draw& b, const State&, std::size_t unit) {
+    return same_current(a, b) && is_one_dimensional(a, unit) == is_one_dimensional(b, unit);
+}
+
 }  // namespace
+
+const SameValues same_colors{same_lighting, same_surface};
+const SameValues same_fog{same_fog_factors, same_fog_coordinates};
+const SameValues same_texcoords{same_generation, same_given_texcoords};
 
 void VertexInputs::begin(const GroupDraws& group) {
     set = group.group.set;
-    state = group.state;
+    first = group.state;
+    newest = nullptr;
     unit = group.unit;
     draws.assign(set->parts.size(), nullptr);
+    states.assign(set->parts.size(), nullptr);
 }
 
-void VertexInputs::add(const GroupDraws& group) {
-    std::copy_n(group.draws, group.group.parts, draws.begin() + group.group.first_part);
+void VertexInputs::add(const GroupDraws& group, const SameValues& same) {
+    if (!newest || !same.of_states(*newest, *group.state, unit)) newest = group.state;
+    const std::size_t first_part = group.group.first_part;
+    std::copy_n(group.draws, group.group.parts, draws.begin() + std::ptrdiff_t(first_part));
+    std::fill_n(states.begin() + std::ptrdiff_t(first_part), group.group.parts, newest);
 }
 
-bool VertexInputs::has_room_for(const PartGroup& group) const {
-    const auto first = draws.begin() + group.first_part;
-    return std::all_of(first, first + group.parts, [](const Draw* draw) { return !draw; });
+bool VertexInputs::has_room_for(const GroupDraws& group) const {
+    const auto begin = draws.begin() + group.group.first_part;
+    return unit == group.unit && same_lists(*first, *group.state) &&
+           std::all_of(begin, begin + group.group.parts, [](const Draw* draw) { return !draw; });
+}
+
+bool VertexInputs::has_values_of(const GroupDraws& group, const SameValues& same) const {
+    const State* compared = group.state;
+    for (std::size_t i = 0; i < group.group.parts; ++i) {
+        const std::size_t part = group.group.first_part + i;
+        const State* const state = states[part];
+        if (!draws[part] ||
+            (state != compared && !same.of_states(*state, *group.state, group.unit)) ||
+            !same.of_draws(*draws[part], *group.draws[i], *group.state, group.unit))
+            return false;
+        compared = state;
+    }
+    return set == group.group.set && unit == group.unit;
 }
 
 bool VertexColors::is_uniform(const PartGroup& group) const {
     const auto first = uniform.begin() + group.first_part;
     return std::find(first, first + group.parts, 0) == first + group.parts;
-}
-
-bool same_lighting(const VertexInputs& a, const GroupDraws& b) {
-    return a.set == b.group.set && a.state->color_source == b.state->color_source &&
-           sums_colors(*a.state) == sums_colors(*b.state) &&
-           (a.state->color_source != ColorSource::Lighting ||
-            (a.state->lighting == b.state->lighting && a.state->normalize == b.state->normalize));
-}
-
-bool same_colors(const VertexInputs& a, const GroupDraws& b) {
-    if (!same_lighting(a, b)) return false;
-    for (std::size_t i = 0; i < b.group.parts; ++i) {
-        const Draw* const draw = a.draws[b.group.first_part + i];
-        if (!draw || !same_current(*draw, *b.draws[i])) return false;
-        if (a.state->color_source == ColorSource::Lighting &&
-            !(draw->material == b.draws[i]->material && same_back(*draw, *b.draws[i]) &&
-              same_lights(draw->lights, b.draws[i]->lights)))
-            return false;
-    }
-    return true;
-}
-
-bool same_fog(const VertexInputs& a, const GroupDraws& b) {
-    return a.set == b.group.set && same_factors(a.state->fog, b.state->fog) &&
-           (a.state->fog.source == FogSource::Depth || same_given(a, b, same_current));
-}
-
-bool same_texcoords(const VertexInputs& a, const GroupDraws& b) {
-    const TextureState &s = texture_of(*a.state, b.unit), &t = texture_of(*b.state, b.unit);
-    return a.set == b.group.set && a.unit == b.unit && s.gen == t.gen &&
-           (s.gen != TexGen::RefractionMap || s.eta == t.eta) &&
-           (s.gen != TexGen::EyeLinear || s.eye_linear == t.eye_linear) &&
-           (s.gen != TexGen::PerCoordinate || s.coordinates == t.coordinates) &&
-           s.matrix == t.matrix && a.state->normalize == b.state->normalize &&
-           same_given(a, b, [&](const Draw& x, const Draw& y) {
-               return same_current(x, y) &&
-                      is_one_dimensional(x, b.unit) == is_one_dimensional(y, b.unit);
-           });
 }
 
 }  // namespace gw::fast

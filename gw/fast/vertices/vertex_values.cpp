@@ -196,11 +196,13 @@ void sum_part(const PartVertices& vertices, const VertexProgram& program, Vertex
     vertices.for_each_new(program, put);
 }
 
-/// The programs of draws under one state. Neighbours under one transform share theirs.
+/// The programs of draws, whose states `change` reduces to what is asked. Neighbours under one state
+/// and transform share theirs.
 class Programs {
 public:
-    Programs(const State& state, const Profile& profile) : state_(state), profile_(profile) {}
-    const VertexProgram& of(const Draw& draw) {
+    Programs(const Profile& profile, void (*change)(State&)) : profile_(profile), change_(change) {}
+    const VertexProgram& of(const Draw& draw, const State& state) {
+        use(state);
         if (program_ && draw.eye_from_object == transform_) {
             change_draw(*program_, draw);
         } else {
@@ -211,8 +213,18 @@ public:
     }
 
 private:
-    const State& state_;
+    void use(const State& state) {
+        if (given_ == &state) return;
+        given_ = &state;
+        state_ = state;
+        change_(state_);
+        program_.reset();
+    }
+
     const Profile& profile_;
+    void (*change_)(State&);
+    const State* given_ = nullptr;
+    State state_;
     std::optional<VertexProgram> program_;
     dmat4 transform_{1};
 };
@@ -237,15 +249,13 @@ bool has_one_color_each(const GeometrySet& set, std::size_t part, const VertexCo
 }  // namespace
 
 void shade_vertices(VertexColors& out, const Profile& profile) {
-    const auto& [set, state, draws, unit] = out.inputs;
-    State unfogged = *state;
-    unfogged.fog.enable = false;
-    Programs programs(unfogged, profile);
+    const auto& [set, first, newest, draws, states, unit] = out.inputs;
+    Programs programs(profile, [](State& s) { s.fog.enable = false; });
     PreparedLights lights;
-    const bool lit = state->color_source == ColorSource::Lighting;
+    const bool lit = first->color_source == ColorSource::Lighting;
     out.front.resize(set->vertex_count());
-    if (lit && state->lighting.two_side) out.back.resize(set->vertex_count());
-    const bool sums = sums_colors(*state);
+    if (lit && first->lighting.two_side) out.back.resize(set->vertex_count());
+    const bool sums = sums_colors(*first);
     if (sums) out.secondary.resize(out.front.size());
     if (sums) out.back_secondary.resize(out.back.size());
     out.uniform.assign(set->parts.size(), 0);
@@ -258,7 +268,7 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
         bool uniform = false;
         if (lit || sums || vertices.is_clipped()) {
             const Untextured draw(*draws[i]);
-            const VertexProgram& program = programs.of(*draw);
+            const VertexProgram& program = programs.of(*draw, *states[i]);
             if (sums)
                 sum_part(vertices, program, out);
             else if (lit)
@@ -274,16 +284,14 @@ void shade_vertices(VertexColors& out, const Profile& profile) {
 }
 
 void fog_vertices(VertexFog& out, const Profile& profile) {
-    const auto& [set, state, draws, unit] = out.inputs;
-    State unlit = *state;
-    unlit.color_source = ColorSource::PolygonId;
-    Programs programs(unlit, profile);
+    const auto& [set, first, newest, draws, states, unit] = out.inputs;
+    Programs programs(profile, [](State& s) { s.color_source = ColorSource::PolygonId; });
     out.value.resize(set->vertex_count());
     for (std::size_t i = 0; i < set->parts.size(); ++i) {
         if (!draws[i]) continue;
         const PartVertices vertices(*set, i);
         const Untextured draw(*draws[i]);
-        const VertexProgram& program = programs.of(*draw);
+        const VertexProgram& program = programs.of(*draw, *states[i]);
         const std::span<double> value = vertices.of(out.value);
         for (const std::uint32_t v : vertices.used) {
             const dvec4 p_object = object_position(draws[i]->mesh->data(), v);
@@ -327,12 +335,11 @@ bool are_wide(const VertexTexcoords& texcoords) {
 }  // namespace
 
 void texture_vertices(VertexTexcoords& out, const Profile& profile) {
-    const auto& [set, state, draws, unit] = out.inputs;
-    const TextureState& texture = texture_of(*state, unit);
-    State unlit = *state;
-    unlit.color_source = ColorSource::PolygonId;
-    unlit.fog.enable = false;
-    Programs programs(unlit, profile);
+    const auto& [set, first, newest, draws, states, unit] = out.inputs;
+    Programs programs(profile, [](State& s) {
+        s.color_source = ColorSource::PolygonId;
+        s.fog.enable = false;
+    });
     if (out.strq.size() < set->vertex_count()) {
         out.strq.clear();
         out.strq.resize(set->vertex_count());
@@ -342,13 +349,14 @@ void texture_vertices(VertexTexcoords& out, const Profile& profile) {
         const PartVertices vertices(*set, i);
         const std::span<dvec4> strq = vertices.of(out.strq);
         const std::vector<vec2>& given = draws[i]->mesh->data().texcoords;
+        const TextureState& texture = texture_of(*states[i], unit);
         const bool as_given = unit == 0 && texture.gen == TexGen::None && !given.empty() &&
                               draws[i]->mesh->data().texcoords_rq.empty() &&
                               texture.matrix == dmat4(1) && !is_one_dimensional(*draws[i]);
         if (as_given)
             for (const std::uint32_t v : vertices.used) strq[v] = {given[v].x, given[v].y, 0, 1};
         if (as_given && !vertices.is_clipped()) continue;
-        const VertexProgram& program = programs.of(*draws[i]);
+        const VertexProgram& program = programs.of(*draws[i], *states[i]);
         if (!as_given) generate_texcoords(program, unit, vertices.used, strq);
         vertices.for_each_new(program, [&, unit = unit](std::size_t v, const Vertex& vertex) {
             strq[v] = vertex.texcoord_of(unit);

@@ -22,17 +22,28 @@ struct GroupDraws {
     std::size_t unit = 0;                ///< of texture coordinates
 };
 
-/// The draws of a set's parts, and a state that gives the same values as theirs.
+/// Whether two states and two draws of one part have the same values of a kind.
+struct SameValues {
+    bool (*of_states)(const State& a, const State& b, std::size_t unit);
+    bool (*of_draws)(const Draw& a, const Draw& b, const State& state, std::size_t unit);
+};
+extern const SameValues same_colors, same_fog, same_texcoords;
+
+/// The draws of a set's parts, and their states.
 struct VertexInputs {
     const GeometrySet* set = nullptr;
-    const State* state = nullptr;
-    std::vector<const Draw*> draws;  ///< one for each part; null: it needs no values
-    std::size_t unit = 0;            ///< of texture coordinates
+    const State* first = nullptr;      ///< a state with the same lists of values as all of them
+    const State* newest = nullptr;     ///< of the group that was added last
+    std::vector<const Draw*> draws;    ///< one for each part; null: it needs no values
+    std::vector<const State*> states;  ///< of the draws, or one that has the same values
+    std::size_t unit = 0;              ///< of texture coordinates
 
     void begin(const GroupDraws& group);
-    void add(const GroupDraws& group);
-    /// Whether no part of the group has a draw yet.
-    bool has_room_for(const PartGroup& group) const;
+    void add(const GroupDraws& group, const SameValues& same);
+    /// Whether the group can be added: no part of it has a draw yet.
+    bool has_room_for(const GroupDraws& group) const;
+    /// Whether the parts of the group have its values. Lights are compared by value.
+    bool has_values_of(const GroupDraws& group, const SameValues& same) const;
 };
 
 /// By vertex of the set; a list that no draw needs is empty.
@@ -81,13 +92,6 @@ struct VertexTexcoords {
     void clear() {}
     std::size_t bytes() const { return strq.capacity() * sizeof(dvec4); }
 };
-
-/// Whether a group's state gives the same values as the inputs' state.
-bool same_lighting(const VertexInputs& inputs, const GroupDraws& group);
-bool same_fog(const VertexInputs& inputs, const GroupDraws& group);
-bool same_texcoords(const VertexInputs& inputs, const GroupDraws& group);
-/// Whether the group has the colours of its parts in `inputs`. Lights are compared by value.
-bool same_colors(const VertexInputs& inputs, const GroupDraws& group);
 
 /// Each fills an object that has its inputs.
 void shade_vertices(VertexColors& colors, const Profile& profile);
