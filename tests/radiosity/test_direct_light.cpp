@@ -116,7 +116,10 @@ TEST(DirectLight, OfADistributionWithoutDirectionIsThePlainLamps) {
     ies.lights[0].kind = scene::LightKind::Spot;
     ies.lights[0].luminous->candela = dvec3(1);
     ies.lights[0].luminous->web = std::make_shared<const scene::Photometry>(
-        scene::Photometry{{0, 90, 180}, {0}, {candela, candela, candela}, "even"});
+        scene::Photometry{.vertical = {0, 90, 180},
+                          .horizontal = {0},
+                          .candela = {candela, candela, candela},
+                          .name = "even"});
     const PixmapModel a = lit(plain), b = lit(ies);
     for (std::size_t t = 0; t < a.texel_count(); ++t)
         EXPECT_NEAR(a.direct[0].H[t].x, b.direct[0].H[t].x, 1e-9 * a.direct[0].H[t].x);
