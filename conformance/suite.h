@@ -17,7 +17,8 @@ struct Member {
     std::string name;
     inspect::Recording recording;
 };
-/// The recordings of a group: the same ones each time, on every machine.
+/// The recordings of a group: the same ones each time, on every machine. Throws Error if nearly all
+/// cases of the group are too large for recordings.
 std::vector<Member> members(const Group& group);
 
 /// The rules of Group::rules, one by one: "R6.15", "R6.16", ...

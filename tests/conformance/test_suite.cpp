@@ -2,6 +2,7 @@
 // say. tests/conformance/digests.txt has, for each recording, XXH3-128 of its bytes and of its
 // manifest; with GW_UPDATE=FILE the test writes FILE anew. Machines with gw/fast: tests/apps.
 #include "conformance/suite.h"
+#include "gw/error.h"
 #include "gw/machine.h"
 #include "inspect/manifest/manifest.h"
 #include "inspect/recording/content.h"
@@ -92,6 +93,17 @@ TEST_P(ConformanceSuite, RecordingsAreTheSameOnEveryMachine) {
 TEST_P(ConformanceSuite, RecordingsAreValid) {
     for (const Member& member : members(GetParam()))
         ASSERT_NO_THROW(inspect::decode(encode(member.recording))) << member.name;
+}
+
+TEST(ConformanceMembers, AGroupOfLargeCasesIsRefused) {
+    const auto large = [](Random&) { return Case{vgx(), 60, 51, {}}; };
+    try {
+        members({"large", "", "", large, 2});
+        FAIL() << "no error";
+    } catch (const Error& e) {
+        EXPECT_EQ(e.what(), std::string("group 'large': 0 of 2 recordings are small enough after "
+                                        "2000 cases"));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Group, ConformanceSuite, testing::ValuesIn(groups()),
