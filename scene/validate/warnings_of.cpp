@@ -190,9 +190,15 @@ std::string without_maps(const Scene& scene) {
     return {};
 }
 
+/// A light of an object's name stands for this object where there are no areas.
 std::string without_unit(const Scene& scene) {
-    const auto is_left_out = [](const Light& light) {
-        return !light.luminous && light.Id != vec3(0) && light.name != default_light_name;
+    const auto stands_for_object = [&](const Light& light) {
+        return !light.name.empty() &&
+               std::ranges::find(scene.objects, light.name, &Object::name) != scene.objects.end();
+    };
+    const auto is_left_out = [&](const Light& light) {
+        return !light.luminous && light.Id != vec3(0) && light.name != default_light_name &&
+               !stands_for_object(light);
     };
     const auto light = std::ranges::find_if(scene.lights, is_left_out);
     if (light == scene.lights.end()) return {};

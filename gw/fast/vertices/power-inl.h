@@ -29,20 +29,15 @@ inline SumLanes two_sum(V64 a, V64 b) {
     return {hi, hn::Add(hn::Sub(a, hn::Sub(hi, b_part)), hn::Sub(b, b_part))};
 }
 
-/// Exact, however it is made; |a b| is 0 or at least 2^-900.
 inline SumLanes two_product(V64 a, V64 b) {
-    const auto hi = hn::Mul(a, b);
-#if HWY_NATIVE_FMA
-    return {hi, hn::MulSub(a, b, hi)};
-#else
     const auto split = all(134217729.0);  // 2^27 + 1
     const auto a_up = hn::Mul(a, split), b_up = hn::Mul(b, split);
     const auto a_hi = hn::Sub(a_up, hn::Sub(a_up, a)), b_hi = hn::Sub(b_up, hn::Sub(b_up, b));
     const auto a_lo = hn::Sub(a, a_hi), b_lo = hn::Sub(b, b_hi);
+    const auto hi = hn::Mul(a, b);
     const auto cross = hn::Add(hn::Add(hn::Sub(hn::Mul(a_hi, b_hi), hi), hn::Mul(a_hi, b_lo)),
                                hn::Mul(a_lo, b_hi));
     return {hi, hn::Add(cross, hn::Mul(a_lo, b_lo))};
-#endif
 }
 
 inline SumLanes divide(const SumLanes& a, const SumLanes& b) {

@@ -84,19 +84,20 @@ TEST_F(UntrustedText, CannotAddALineToAnError) {
     write("renderer.toml", std::string(forged_in_toml) + " = 1\n");
     write("profile.toml", std::string("name = ") + forged_in_toml + "\nlights = 0\n");
     const std::string name(forged), lamps = in("lamps.toml").string();
+    write("glow.toml", "[[object]]\nshape = \"rectangle\"\npixmap = { emission = 4 }\n");
     write(name + ".gwt", "no recording");
-    for (const auto& words :
-         std::vector<std::vector<std::string>>{{"render", "object.toml", "-o", "a.png"},
-                                               {"render", "renderer.toml", "-o", "a.png"},
-                                               {"render", name + ".obj", "-o", "a.png"},
-                                               {"render", name, "-o", "a.png"},
-                                               {"replay", name + ".gwt"},
-                                               {"verify", name + ".gwt", "a.json"},
-                                               {"render", lamps, "-o", name + "/a.png"},
-                                               {"render", lamps, "-o", "a.png", "--profile", name},
-                                               {"render", lamps, "-o", "a.png", "--renderer", name},
-                                               {"hidden", lamps, "--algorithm", name},
-                                               {"radiosity", lamps, "--form-factor", name, name}}) {
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"render", "object.toml", "-o", "a.png"},
+             {"render", "renderer.toml", "-o", "a.png"},
+             {"render", name + ".obj", "-o", "a.png"},
+             {"render", name, "-o", "a.png"},
+             {"replay", name + ".gwt"},
+             {"verify", name + ".gwt", "a.json"},
+             {"render", lamps, "-o", name + "/a.png"},
+             {"render", lamps, "-o", "a.png", "--profile", name},
+             {"render", lamps, "-o", "a.png", "--renderer", name},
+             {"hidden", lamps, "--algorithm", name},
+             {"radiosity", "glow.toml", "--form-factor", name, name}}) {
         const Outcome outcome = gw(words);
         EXPECT_NE(outcome.code, 0) << words[0];
         expect_one_line(outcome.err);

@@ -259,6 +259,8 @@ TEST(WarningsOf, NameALightThatRadiosityLeavesOut) {
                     {.name = "lamp", .luminous = Luminous{}},
                     default_light({})};
     EXPECT_EQ(left_out_by_radiosity(scene), Strings());
+    scene.lights.push_back({.name = scene.objects[0].name});  // its light for passes
+    EXPECT_EQ(left_out_by_radiosity(scene), Strings());
     scene.lights.push_back({.name = "key"});
     EXPECT_EQ(
         left_out_by_radiosity(scene),
