@@ -16,13 +16,14 @@ namespace {
 const MeshRef& mesh_for(SealedRuns::Part& part, const VertexValues& used) {
     for (SealedRuns::PartMesh& made : part.meshes) {
         if (made.values != used) continue;
-        if (++made.uses == 2 && !calls_are_kept) {
+        if (!made.shares && !calls_are_kept) {
+            made.shares = true;
             MeshData data = made.mesh->data();
             if (share_vertices(data)) made.mesh = make_mesh(std::move(data));
         }
         return made.mesh;
     }
-    part.meshes.push_back({used, mesh_of(part.assembly, {}, used), 1});
+    part.meshes.push_back({used, mesh_of(part.assembly, {}, used)});
     return part.meshes.back().mesh;
 }
 

@@ -24,7 +24,7 @@ struct SealedRuns {
     struct PartMesh {
         VertexValues values;  ///< that it has
         MeshRef mesh;
-        int uses = 0;
+        bool shares = false;  ///< corners share vertices where it is worth it
     };
     struct Part {
         Assembly assembly;
