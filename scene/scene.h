@@ -79,10 +79,10 @@ struct Material {
     std::vector<Map> refl;        ///< sphere maps for the reflection component
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
     /// One of whose texels G multiplies the roughness and B the metallic part of the surface
-    /// [GLTF2 3.9.2], or RGB its F0, if that is given, and A its glossiness; maps/finish.h makes Kd, Ks,
-    /// Ns and their maps of it.
+    /// [GLTF2 3.9.2], or RGB its F0, if that is given, and A its glossiness; maps/finish.h makes Ka, Kd,
+    /// Ks, Ns and their maps of it.
     std::vector<Map> map_metal;
-    std::shared_ptr<const Physical> physical;  ///< that surface; null: there is no such map
+    std::shared_ptr<const Physical> physical;  ///< that surface; null: no map changes it
 };
 
 /// Light around a self-luminous object: its picture, superposed at places over a range in the

@@ -50,7 +50,7 @@ public:
         out_.luminance = physical_.unlit ? physical_.base : physical_.emissive;
         if (physical_.unlit) std::swap(out_.material.map_Kd, out_.material.map_Ke);
         if (physical_.unlit) out_.material.map_metal.clear();
-        if (!out_.material.map_metal.empty())
+        if (!out_.material.map_metal.empty() || (physical_.F0 && !physical_.unlit))
             out_.material.physical = std::make_shared<const Physical>(physical_);
         else if (physical_.metallic > 0.5)
             out_.material.map_Ks = out_.material.map_Kd;
@@ -110,11 +110,8 @@ private:
         physical_.roughness = 1 - number_of(model->find("glossinessFactor"), 1);
         if (const auto texture = model->find("diffuseTexture"))
             add_map(out_.material.map_Kd, *texture, "diffuseTexture");
-        if (const auto texture = model->find("specularGlossinessTexture")) {
+        if (const auto texture = model->find("specularGlossinessTexture"))
             add_map(out_.material.map_metal, *texture, "specularGlossinessTexture");
-            warn("specularGlossinessTexture",
-                 "its specularGlossinessTexture is drawn with its means");
-        }
         return true;
     }
 

@@ -130,33 +130,129 @@ private:
     std::vector<std::uint16_t> Kd_, Ks_;
 };
 
-/// A surface with F0: the map has factors of it and of the glossiness.
-void apply_specular_glossiness(Material& material) {
-    const Texture& texture = *material.map_metal[0].texture;
+/// encoded and decoded by tables.
+class SrgbTables {
+public:
+    SrgbTables() {
+        for (std::size_t i = 0; i < decoded_.size(); ++i)
+            decoded_[i] = decoded(dvec3(double(i) / 255)).x;
+        for (std::size_t i = 0; i < encoded_.size(); ++i)
+            encoded_[i] = double(encoded(dvec3(double(i) / last)).x);
+    }
+    double decode(std::uint16_t texel) const { return decoded_[rescale(texel, 16, 8)]; }
+    double encode(double linear) const {
+        return encoded_[std::size_t(round_even(clamp01(linear) * last))];
+    }
+
+private:
+    static constexpr int last = 1 << 14;
+    std::array<double, 256> decoded_{};
+    std::array<double, last + 1> encoded_{};
+};
+
+/// Ka, Kd and Ks of each texel of a surface with F0: reflection_of with the surface's base and F0 times
+/// the texels of the maps that are not null.
+class GlossTexels {
+public:
+    GlossTexels(const Physical& surface, const Texture* base, const Texture* F0)
+        : surface_(surface),
+          base_(base),
+          F0_(F0),
+          width_(std::max(base ? base->width() : 1, F0 ? F0->width() : 1)),
+          height_(std::max(base ? base->height() : 1, F0 ? F0->height() : 1)) {
+        for (int y = 0; y < height_; ++y)
+            for (int x = 0; x < width_; ++x) add(x, y);
+    }
+
+    /// One map for each, in the place of the given one.
+    void set(Material& material, Map map) const {
+        const auto maps = [&](const std::vector<std::uint16_t>& rgba) {
+            map.texture =
+                make_texture("texels of " + printable(material.name), width_, height_, rgba);
+            return std::vector{map};
+        };
+        material.Ka = material.Kd = material.Ks = vec3(1);
+        material.map_Ka = maps(Ka_);
+        material.map_Kd = maps(Kd_);
+        material.map_Ks = maps(Ks_);
+    }
+
+private:
+    void add(int x, int y) {
+        const std::uint16_t* const base = base_ ? texel(*base_, x, y, width_, height_) : white;
+        const std::uint16_t* const F0 = F0_ ? texel(*F0_, x, y, width_, height_) : white;
+        Physical p = surface_;
+        for (int k = 0; k < 3; ++k) {
+            p.base[k] *= tables_.decode(base[k]);
+            (*p.F0)[k] *= tables_.decode(F0[k]);
+        }
+        const double metallic = p.metallic_part(), broad = metallic * p.roughness / 2;
+        const dvec3 diffuse = p.base * (1 - metallic);
+        const dvec3 lit = lit_at_peak(*p.F0, diffuse, p.roughness);
+        for (int k = 0; k < 3; ++k) {
+            const double Kd = tables_.encode(diffuse[k]), highlight = tables_.encode(lit[k]) - Kd;
+            Ka_.push_back(std::uint16_t(quantize(tables_.encode(diffuse[k] + (*p.F0)[k]), 16)));
+            Kd_.push_back(std::uint16_t(quantize(Kd + highlight * broad, 16)));
+            Ks_.push_back(std::uint16_t(quantize(highlight * (1 - broad), 16)));
+        }
+        for (std::vector<std::uint16_t>* rgba : {&Ka_, &Kd_, &Ks_}) rgba->push_back(base[3]);
+    }
+
+    static constexpr std::uint16_t white[] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
+    const SrgbTables tables_;
+    const Physical& surface_;
+    const Texture *base_, *F0_;
+    int width_, height_;
+    std::vector<std::uint16_t> Ka_, Kd_, Ks_;
+};
+
+double mean_gloss(const Texture& texture) {
     const TexelValues& rgba = texture.levels.front().rgba;
-    double glossiness = 0;
-    for (std::size_t i = 0; i < rgba.size(); i += 4) glossiness += rgba[i + gloss] / 65535.0;
-    Physical p = *material.physical;
-    *p.F0 *= mean_of(texture, true);
-    p.roughness = 1 - (1 - p.roughness) * glossiness / double(rgba.size() / 4);
-    set_words(p, material);
+    double sum = 0;
+    for (std::size_t i = 0; i < rgba.size(); i += 4) sum += rgba[i + gloss] / 65535.0;
+    return sum / double(rgba.size() / 4);
 }
 
-void apply(Material& material, Warnings& warnings) {
-    if (material.physical->F0) return apply_specular_glossiness(material);
+/// The texture of a map that lies where the colours do; else null, with a warning.
+const Texture* texels_beside(const Material& material, const Map& map, const std::string& name,
+                             Warnings& warnings) {
+    if (map.is_mean) return nullptr;
+    if (material.map_Kd.empty() || is_beside(material.map_Kd[0], map)) return map.texture.get();
+    warnings.add(map.origin.file, map.origin.line, "metal map",
+                 "material '" + printable(material.name) + "': its " + name +
+                     " lies in another way than its colours; expected the same, so it is drawn "
+                     "with its means");
+    return nullptr;
+}
+
+/// A surface with F0: the map has factors of it and of the glossiness.
+void apply_specular_glossiness(Material& material, Warnings& warnings) {
+    Physical p = *material.physical;
+    const Map* const map = material.map_metal.empty() ? nullptr : &material.map_metal[0];
+    const Texture* F0 = nullptr;
+    if (map) {
+        p.roughness = 1 - (1 - p.roughness) * mean_gloss(*map->texture);
+        F0 = texels_beside(material, *map, "specularGlossinessTexture", warnings);
+        if (!F0) *p.F0 *= mean_of(*map->texture, true);
+    }
+    const Texture* const base =
+        material.map_Kd.empty() ? nullptr : material.map_Kd[0].texture.get();
+    if (!base && !F0) return set_words(p, material);
+    const Map place = base ? material.map_Kd[0] : *map;
+    GlossTexels(p, base, F0).set(material, place);
+    if (base) p.base *= mean_of(*base, true);
+    if (F0) *p.F0 *= mean_of(*F0, true);
+    material.Ns = reflection_of(p).Ns;
+}
+
+void apply_metallic_roughness(Material& material, Warnings& warnings) {
     const Map& map = material.map_metal[0];
     const Means means = means_of(*map.texture);
     Physical p = *material.physical;
     p.roughness *= means.roughness;
-    const bool fits =
-        !map.is_mean && (material.map_Kd.empty() || is_beside(material.map_Kd[0], map));
-    if (fits && !means.is_even && p.metallic > 0)
+    if (!means.is_even && texels_beside(material, map, "metallicRoughnessTexture", warnings) &&
+        p.metallic > 0)
         return TexelMaker(material, p).set(means.metallic);
-    if (!fits && !map.is_mean && !means.is_even)
-        warnings.add(map.origin.file, map.origin.line, "metal map",
-                     "material '" + printable(material.name) +
-                         "': its metallicRoughnessTexture lies in another way than its colours; "
-                         "expected the same, so it is drawn with its means");
     p.metallic *= means.metallic;
     set_words(p, material);
     if (p.metallic > 0.5) material.map_Ks = material.map_Kd;
@@ -166,9 +262,14 @@ void apply(Material& material, Warnings& warnings) {
 
 void apply_metal_maps(Scene& scene, Warnings& warnings) {
     for (Material& material : scene.materials) {
-        if (material.map_metal.empty() || !material.map_metal[0].texture) continue;
-        apply(material, warnings);
+        if (!material.map_metal.empty() && !material.map_metal[0].texture) continue;
+        if (!material.physical) continue;
+        if (material.physical->F0)
+            apply_specular_glossiness(material, warnings);
+        else if (!material.map_metal.empty())
+            apply_metallic_roughness(material, warnings);
         material.map_metal.clear();
+        material.physical = nullptr;
     }
 }
 

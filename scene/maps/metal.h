@@ -1,4 +1,4 @@
-// Surfaces that are metal in some texels and a dielectric in others, as maps of Kd and Ks. All texels
+// Surfaces whose metallic part or F0 differs from texel to texel, as maps of Ka, Kd and Ks. All texels
 // have the mean roughness, since a material has one Ns.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace gw::scene {
 
-/// Sets the words and maps of all materials that have a map_metal with a texture.
+/// Sets the words and maps of all materials that are Material::physical.
 void apply_metal_maps(Scene& scene, Warnings& warnings);
 
 }  // namespace gw::scene

@@ -20,24 +20,33 @@ double decoded_number(double shown) {
 
 }  // namespace
 
+double Physical::metallic_part() const { return F0 ? std::max({F0->x, F0->y, F0->z}) : metallic; }
+
+dvec3 Physical::F0_of_all() const {
+    const dvec3 of_dielectric = glm::min(F0_tint * (dielectric_F0 * specular), dvec3(1));
+    return F0.value_or(glm::mix(of_dielectric, base, metallic));
+}
+
 Reflection reflection_of(const Physical& p) {
-    const dvec3 F0 =
-        glm::mix(glm::min(p.F0_tint * (dielectric_F0 * p.specular), dvec3(1)), p.base, p.metallic);
-    const dvec3 diffuse = p.base * (1 - p.metallic);
-    const Highlight highlight = highlight_of(p.F0.value_or(F0), diffuse, p.roughness);
-    return {encoded(diffuse), highlight.Ks, highlight.Ns, float(p.metallic * p.roughness / 2)};
+    const double metallic = p.metallic_part();
+    const dvec3 F0 = p.F0_of_all(), diffuse = p.base * (1 - metallic);
+    const Highlight highlight = highlight_of(F0, diffuse, p.roughness);
+    return {.diffuse = encoded(diffuse),
+            .highlight = highlight.Ks,
+            .Ka = encoded(glm::min(diffuse + F0, dvec3(1))),
+            .Ns = highlight.Ns,
+            .broad = float(metallic * p.roughness / 2)};
 }
 
 void set_words(const Physical& p, Material& material) {
-    const vec3 base = encoded(p.base);
     material.is_encoded = true;
     if (p.unlit) {
         material.Ka = material.Kd = material.Ks = vec3(0);
-        material.Ke = base;
+        material.Ke = encoded(p.base);
         return;
     }
     const Reflection reflection = reflection_of(p);
-    material.Ka = base;
+    material.Ka = reflection.Ka;
     material.Kd = reflection.Kd();
     material.Ks = reflection.Ks();
     material.Ns = reflection.Ns;
@@ -53,13 +62,26 @@ dvec3 decoded(const dvec3& shown) {
     return {decoded_number(shown.x), decoded_number(shown.y), decoded_number(shown.z)};
 }
 
+namespace {
+
+/// roughness^4, for which a highlight is at least seen.
+double squared_alpha(double roughness) {
+    constexpr double sharpest = 0.01;
+    return std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
+}
+
+}  // namespace
+
+dvec3 lit_at_peak(const dvec3& F0, const dvec3& diffuse, double roughness) {
+    const dvec3 lit = diffuse + F0 / (4 * squared_alpha(roughness));
+    return glm::max(lit / std::max({lit.x, lit.y, lit.z, 1.0}), diffuse);
+}
+
 Highlight highlight_of(const dvec3& F0, const dvec3& diffuse, double roughness) {
-    constexpr double sharpest = 0.01, most_Ns = 10000, least_seen = 1e-6;
-    const double a2 = std::max(roughness * roughness * roughness * roughness, sharpest * sharpest);
+    constexpr double most_Ns = 10000, least_seen = 1e-6;
+    const double a2 = squared_alpha(roughness);
     const dvec3 peak = F0 / (4 * a2);
-    const dvec3 lit = diffuse + peak;
-    const double most = std::max({lit.x, lit.y, lit.z, 1.0});  // beyond white it keeps its hue
-    Highlight out{encoded(glm::max(lit / most, diffuse)) - encoded(diffuse), 0};
+    Highlight out{encoded(lit_at_peak(F0, diffuse, roughness)) - encoded(diffuse), 0};
 
     // Where the strongest channel has half its height on the display: GGX is (a2 / root)^2 there.
     const int k = peak.x >= peak.y && peak.x >= peak.z ? 0 : peak.y >= peak.z ? 1 : 2;

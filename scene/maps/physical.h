@@ -15,10 +15,16 @@ struct Physical {
     std::optional<dvec3> F0;  ///< instead of what base, tint, metallic and specular make
     double alpha = 1, metallic = 1, roughness = 1, specular = 1;
     bool unlit = false;
+
+    /// 1 - m of the base scatters. A surface with F0 of its own scatters what F0 leaves.
+    double metallic_part() const;
+    /// What it reflects of the light along its normal, without what it scatters.
+    dvec3 F0_of_all() const;
 };
 /// What of a surface does not depend on maps, encoded.
 struct Reflection {
     vec3 diffuse{0}, highlight{0};
+    vec3 Ka{0};  ///< of light from all sides: what it scatters, and F0
     float Ns = 0;
     /// The share of a metal's highlight that Kd has: GGX is broader than Ns alone can be.
     float broad = 0;
@@ -36,8 +42,12 @@ vec3 encoded(const dvec3& linear);
 /// Its reverse.
 dvec3 decoded(const dvec3& shown);
 
+/// What light a surface shows at the peak of its highlight, on white: F0 / (4 roughness^4) high beside
+/// the diffuse part. Beyond white it keeps its hue.
+dvec3 lit_at_peak(const dvec3& F0, const dvec3& diffuse, double roughness);
+
 /// Ks and Ns of the lobe that looks, on a display and beside the diffuse part, as high and at half of
-/// its height as wide as GGX seen along the normal: F0 / (4 a2) high, where a2 = roughness^4.
+/// its height as wide as GGX seen along the normal.
 struct Highlight {
     vec3 Ks{0};
     float Ns = 0;

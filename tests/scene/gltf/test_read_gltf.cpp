@@ -151,7 +151,7 @@ TEST_F(Gltf, TextureCoordinatesGrowUpwards) {
 TEST_F(Gltf, AMetalIsItsHighlightAndARoughSurfaceHasAWideOne) {
     const Material rough = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.2, 0, 1], "metallicFactor": 0, "roughnessFactor": 0.5}})");
-    EXPECT_NEAR_3(rough.Ka, srgb(0.5), srgb(0.2), 0);
+    EXPECT_NEAR_3(rough.Ka, srgb(0.54), srgb(0.24), srgb(0.04));
     EXPECT_NEAR_3(rough.Kd, srgb(0.5), srgb(0.2), 0);
     const double peak = 0.04 / (4.0 / 16);
     EXPECT_NEAR_3(rough.Ks, srgb(0.5 + peak) - srgb(0.5), srgb(0.2 + peak) - srgb(0.2), srgb(peak));
@@ -170,9 +170,12 @@ TEST_F(Gltf, SpecularAndGlossinessAreF0AndRoughness) {
     const Material m = material(
         R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "extensions": {"KHR_materials_pbrSpecularGlossiness":
         {"diffuseFactor": [0.5, 0.2, 0, 1], "specularFactor": [0.2, 0.1, 0], "glossinessFactor": 0.25}}})");
-    EXPECT_NEAR_3(m.Kd, srgb(0.5), srgb(0.2), 0);
-    const double peak = 1 / (4 * std::pow(0.75, 4));
-    EXPECT_NEAR_3(m.Ks, srgb(0.5 + 0.2 * peak) - srgb(0.5), srgb(0.2 + 0.1 * peak) - srgb(0.2), 0);
+    const double peak = 1 / (4 * std::pow(0.75, 4)), left = 1 - 0.2, broad = 0.2 * 0.75 / 2;
+    const double r = srgb(0.5 * left + 0.2 * peak) - srgb(0.5 * left);
+    const double g = srgb(0.2 * left + 0.1 * peak) - srgb(0.2 * left);
+    EXPECT_NEAR_3(m.Kd, srgb(0.5 * left) + r * broad, srgb(0.2 * left) + g * broad, 0);
+    EXPECT_NEAR_3(m.Ks, r * (1 - broad), g * (1 - broad), 0);
+    EXPECT_NEAR_3(m.Ka, srgb(0.5 * left + 0.2), srgb(0.2 * left + 0.1), 0);
 }
 
 TEST_F(Gltf, AnUnlitMaterialEmitsItsColour) {

@@ -118,25 +118,68 @@ TEST(MetalMap, AMapThatLiesInAnotherWayHasItsMeans) {
                 srgb(diffuse) + metal_Kd(srgb(diffuse + peak) - srgb(diffuse), 0.5) / 4, 1e-4);
 }
 
-/// F0 0.5 times the mean of 1 and 0; of the glossiness 0.8 the mean of 0.5 and 1.
-TEST(SpecularGlossinessMap, IsItsMeans) {
+namespace {
+
+/// F0 and glossiness by two texels, of this diffuse colour.
+Scene glossy(const dvec3& diffuse, const dvec3& F0) {
     Scene scene;
-    Physical p{.base = dvec3(0.5), .F0 = dvec3(0.5), .metallic = 0, .roughness = 0.2};
     Material m{.name = "old"};
     const std::vector<std::uint16_t> texels{0xFFFF, 0xFFFF, 0xFFFF, 0x7FFF, 0, 0, 0, 0xFFFF};
-    m.map_metal = {Map{.texture = make_texture("texels", 2, 1, texels)}};
-    m.physical = std::make_shared<const Physical>(p);
+    m.map_metal = {Map{.origin = {"m.gltf", 0}, .texture = make_texture("texels", 2, 1, texels)}};
+    m.physical = std::make_shared<const Physical>(
+        Physical{.base = diffuse, .F0 = F0, .metallic = 0, .roughness = 0.2});
     scene.materials = {m};
+    return scene;
+}
+
+/// The mean of 0.5 and 1 of the glossiness 0.8.
+constexpr double glossy_roughness = 1 - 0.8 * 0.75;
+
+}  // namespace
+
+/// Each texel is the surface by factors, with the mean glossiness.
+TEST(SpecularGlossinessMap, IsTheSurfaceOfEachTexel) {
+    Scene scene = glossy({0.5, 0.25, 0}, {1, 0.75, 0.25});
+    scene.materials[0].map_Kd = {map_of({{0.4, 1, 0}, {0.4, 1, 0}})};
     EXPECT_TRUE(finished(scene).empty());
-    p.F0 = dvec3(0.25);
-    p.roughness = 0.4;
-    Material expected;
-    set_words(p, expected);
-    const Material& made = scene.materials[0];
-    EXPECT_NEAR(made.Ks.x, expected.Ks.x, 1e-4);
-    EXPECT_NEAR(made.Ns, expected.Ns, 1e-2);
-    EXPECT_EQ(made.Kd, expected.Kd);
-    EXPECT_TRUE(made.map_metal.empty());
+    const Material& m = scene.materials[0];
+    const dvec3 diffuse = dvec3(0.5, 0.25, 0) * decoded(dvec3(0.4, 1, 0));
+    for (const std::size_t i : {0u, 1u}) {
+        const dvec3 F0 = i == 0 ? dvec3(1, 0.75, 0.25) : dvec3(0);
+        Material expected;
+        set_words({.base = diffuse, .F0 = F0, .roughness = glossy_roughness}, expected);
+        EXPECT_NEAR_3(at(m.Ka, m.map_Ka, i), expected.Ka.x, expected.Ka.y, expected.Ka.z);
+        EXPECT_NEAR_3(at(m.Kd, m.map_Kd, i), expected.Kd.x, expected.Kd.y, expected.Kd.z);
+        EXPECT_NEAR_3(at(m.Ks, m.map_Ks, i), expected.Ks.x, expected.Ks.y, expected.Ks.z);
+    }
+    EXPECT_GT(m.Ns, 1);
+    EXPECT_TRUE(m.map_metal.empty());
+}
+
+/// Gold is black but for F0, by a texture or by factors.
+TEST(SpecularGlossinessMap, GoldReflectsLightFromAllSides) {
+    Scene scene = glossy(dvec3(0), {1, 0.75, 0.25});
+    EXPECT_TRUE(finished(scene).empty());
+    EXPECT_NEAR_3(at(scene.materials[0].Ka, scene.materials[0].map_Ka, 0), 1, srgb(0.75),
+                  srgb(0.25));
+    Scene black = glossy(dvec3(0), {1, 0.75, 0.25});
+    black.materials[0].map_metal.clear();
+    black.materials[0].map_Kd = {map_of({{0, 0, 0}})};
+    EXPECT_TRUE(finished(black).empty());
+    EXPECT_NEAR_3(at(black.materials[0].Ka, black.materials[0].map_Ka, 0), 1, srgb(0.75),
+                  srgb(0.25));
+}
+
+TEST(SpecularGlossinessMap, ThatLiesInAnotherWayHasItsMeans) {
+    Scene scene = glossy(dvec3(0), dvec3(0.5));
+    scene.materials[0].map_Kd = {map_of({{1, 1, 1}})};
+    scene.materials[0].map_Kd[0].scale = vec2(2);
+    EXPECT_EQ(finished(scene),
+              (std::vector<std::string>{
+                  "m.gltf: material 'old': its specularGlossinessTexture lies in another way "
+                  "than its colours; expected the same, so it is drawn with its means"}));
+    const Material& m = scene.materials[0];
+    EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 0), srgb(0.25), srgb(0.25), srgb(0.25));
 }
 
 TEST(MetalMap, OfAnotherSetOfCoordinatesIsItsMeans) {

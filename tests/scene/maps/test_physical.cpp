@@ -43,6 +43,25 @@ TEST(Physical, HighlightsOfEveryStrengthHaveAnExponent) {
         }
 }
 
+/// A metal by F0 is the metal by its base colour, and is as bright under light from all sides.
+TEST(Physical, AMetalIsTheSameByF0) {
+    const dvec3 gold(1, 0.77, 0.34);
+    Material by_base, by_F0;
+    set_words({.base = gold, .metallic = 1, .roughness = 0.4}, by_base);
+    set_words({.base = dvec3(0), .F0 = gold, .roughness = 0.4}, by_F0);
+    EXPECT_NEAR(by_base.Ka.y, srgb_of(0.77), 1e-6);
+    EXPECT_EQ(by_F0.Ka, by_base.Ka);
+    EXPECT_EQ(by_F0.Kd, by_base.Kd);
+    EXPECT_EQ(by_F0.Ks, by_base.Ks);
+    EXPECT_EQ(by_F0.Ns, by_base.Ns);
+}
+
+TEST(Physical, NothingReflectsMoreThanAllOfTheLight) {
+    Material m;
+    set_words({.base = dvec3(1), .F0_tint = dvec3(1000), .metallic = 0}, m);
+    EXPECT_EQ(m.Ka, vec3(1));
+}
+
 TEST(Reflectance, IsKdTimesTheMeanOfItsMap) {
     Material m{.Kd = vec3(0.5f, 0.25f, 1)};
     EXPECT_EQ(reflectance_of(m), dvec3(0.5, 0.25, 1));
