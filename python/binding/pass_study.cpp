@@ -2,6 +2,7 @@
 #include "inspect/report/prices.h"
 #include "python/binding/casters.h"
 #include "python/binding/interpreter/running.h"
+#include "python/binding/interpreter/warn.h"
 #include "python/binding/module.h"
 #include "render/options.h"
 #include "render/study/sweeps.h"
@@ -80,6 +81,7 @@ py::list pass_study(const scene::Scene& scene, const std::string& sweep_name,
     const render::Drawing drawing = render::make_drawing(request, profile, {.scene = scene});
     if (const std::string why = sweep.refusal(drawing); !why.empty())
         throw Error("sweep " + sweep.name + ": " + why);
+    warn(render::warnings(drawing));
     py::list rows;
     for (const int value : wanted)
         add_rows(rows, cancelable([&] {

@@ -242,8 +242,14 @@ py::dict components(const scene::Scene& given, int width, int height, const Prof
     return out;
 }
 
+void warn_if_empty(const scene::Scene& scene, std::span<const Rgba> picture, int color_bits) {
+    const std::string line = scene::empty_picture(scene, picture, color_bits);
+    if (!line.empty()) warn({line});
+}
+
 py::array item_buffer(const scene::Scene& given, int width, int height) {
     const SceneInView now(given, {}, width, height);
+    warn(scene::warnings_of(now.scene, now.view, scene::DrawnBy::Depth));
     const auto machine = make_fast(vgx(), width, height);
     auto ids =
         without_lock([&] { return scene::draw_item_buffer(*machine, now.scene, now.view, {}); });
@@ -264,6 +270,7 @@ py::dict cast_rays(const scene::Scene& given, const std::string& method, int wid
         const auto caster = raytrace::make_caster(found, shapes);
         return raytrace::cast_picture(*caster, shapes, now.scene, now.view, threads);
     });
+    warn_if_empty(now.scene, picture.color, 8);
     py::dict out, counts;
     counts["rays"] = picture.counts.rays;
     counts["shapes"] = picture.counts.shapes;
@@ -281,6 +288,7 @@ py::dict renderer_differences(const scene::Scene& given, int width, int height,
     warn(scene::warnings_of(now.scene, now.view, scene::DrawnBy::Depth));
     const auto machine = make_fast(profile, width, height);
     auto d = cancelable([&] { return itembuffer::differences(*machine, now.scene, now.view, {}); });
+    warn_if_empty(now.scene, d.by_passes, profile.color_bits);
     py::dict out;
     py::list reasons;
     for (const itembuffer::Reason reason : itembuffer::reasons) {

@@ -210,6 +210,7 @@ std::string without_unit(const Scene& scene) {
 }  // namespace
 
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by) {
+    if (scene.objects.empty()) return {"the scene has nothing to draw; expected an object"};
     std::vector<std::string> lines;
     const auto add = [&](std::string line) {
         if (!line.empty()) lines.push_back(std::move(line));

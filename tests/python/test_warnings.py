@@ -82,6 +82,33 @@ def test_every_door_warns_of_coincident_objects_and_lines(use):
     assert any("lines and points are left out, as of object 'wire'" in text for text in texts)
 
 
+@pytest.mark.parametrize("use", [
+    lambda scene, size: gw.render(scene, **size),
+    lambda scene, size: gw.Renderer(scene, **size).draw(),
+    lambda scene, size: gw.components(scene, **size),
+    lambda scene, size: gw.item_buffer(scene, **size),
+    lambda scene, size: gw.cast_rays(scene, **size),
+    lambda scene, size: gw.renderer_differences(scene, **size),
+    lambda scene, size: gw.pass_study(scene, values=[1], runs=0, **size),
+    lambda scene, size: gw.hidden.run(scene, "newell", **size),
+    lambda scene, size: gw.hidden.polygons(scene, **size),
+], ids=["render", "renderer", "components", "item_buffer", "cast_rays", "differences", "study",
+        "hidden", "polygons"])
+def test_every_door_warns_of_a_scene_without_objects(use):
+    with pytest.warns(UserWarning, match="^the scene has nothing to draw; expected an object$") as found:
+        use(gw.Scene(), {"width": 16, "height": 12})
+    assert len(found) == 1
+
+
+@pytest.mark.parametrize("draw", [gw.render, gw.cast_rays, gw.renderer_differences])
+def test_an_empty_picture_of_a_scene_is_named(draw):
+    scene = gw.Scene()
+    scene.add("box", gw.make_box())
+    scene.camera = gw.Camera(eye=(0, 0, 5), at=(0, 0, 10))
+    with pytest.warns(UserWarning, match="the picture is empty: no pixel differs"):
+        draw(scene, width=16, height=12)
+
+
 def test_a_picture_of_light_names_what_its_near_plane_cuts_off():
     scene = gw.Scene()
     scene.add("near", gw.make_rectangle(1, 1), gw.SceneMaterial(name="light", Ke=(1, 1, 1)))

@@ -268,6 +268,12 @@ TEST(WarningsOf, NameALightThatRadiosityLeavesOut) {
                  "one of these, or an object that emits"}));
 }
 
+TEST(WarningsOf, ASceneWithoutObjectsIsNamedByEveryRenderer) {
+    for (const DrawnBy by : {DrawnBy::Passes, DrawnBy::Depth, DrawnBy::Rays})
+        EXPECT_EQ(warnings_of({}, {}, by),
+                  Strings{"the scene has nothing to draw; expected an object"});
+}
+
 TEST(EmptyPicture, IsOneOfTheBackgroundAlone) {
     Scene scene = room(548.7f, true);
     std::vector<Rgba> picture(12, Rgba{0, 0, 0, 255});
