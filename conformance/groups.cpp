@@ -138,7 +138,7 @@ const std::vector<Group>& all_groups() {
          surface_rules_case, 2},
         {"points", "sizes of points by distance, sprites", "R9.31-R9.33",
          points_case, 32, color, {&C::texels, &C::written}},
-        {"samples", "surfaces with samples, drawn to and copied to the window", "R17.1-R17.7",
+        {"samples", "surfaces with samples, drawn to and copied to the window", "R17.1-R17.8",
          samples_case, 48, color | depth | stencil, {&C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
         {"diamond-lines", "lines and outlines by the diamond rule, of every width, stippled", "R9.34",
          diamond_lines_case, 32, color | depth, {&C::clipped, &C::depth_killed, &C::texels, &C::written}},
@@ -154,9 +154,9 @@ const std::vector<Group>& all_groups() {
          volume_rules_case, 2},
         {"sum-rules", "secondary colours under each colour source, fractions multiplied", "R8.13 R13.8 R13.12",
          sum_rules_case, 2},
-        {"sample-rules", "lines, stipples and queries on samples, blits to them, borders of surfaces", "R9.20 R10.40 R16.5 R16.6 R16.8 R17.2 R17.6 R17.7",
+        {"sample-rules", "lines, stipples and queries on samples, blits to them, borders of surfaces", "R9.20 R10.40 R16.5 R16.6 R16.8 R17.2 R17.6-R17.8",
          sample_rules_case, 6},
-        {"crossed-samples", "samples and surfaces crossed with all other stages", "R17.1-R17.7 R16.1-R16.10 R10.37",
+        {"crossed-samples", "samples and surfaces crossed with all other stages", "R17.1-R17.8 R16.1-R16.10 R10.37",
          crossed_samples_case, 24, color | depth | stencil, {&C::clipped, &C::culled, &C::alpha_killed, &C::stencil_killed, &C::depth_killed, &C::texels, &C::pixels, &C::written}},
     };
     return all;

@@ -1,10 +1,10 @@
 """Chapter 9: which pixels a piece, line or point covers, and integer planes over them."""
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
 from .numbers import bounded, clamp01, rne, rne_quotient, to_integer
+from .planes import AtMost, IntegerPlane, LimitedPlane, MovedPlane, centers
 
 # ---- Coverage -------------------------------------------------------------------------------
 
@@ -65,10 +65,6 @@ def covers_center(corners, x, y, s):
         top_left = dy < 0 or (dy == 0 and dx < 0)
         inside &= dx * (py - start.Y) - dy * (px - start.X) - (0 if top_left else 1) >= 0
     return inside
-
-
-def centers(i, s):
-    return (i << s) + (1 << (s - 1))
 
 
 def counter_clockwise(corners):
@@ -228,62 +224,19 @@ class OuterFrame(Frame):
     def numerator(self, values, q):
         return AtMost(self.plane(values), q)
 
+
+class MovedFrame(Frame):
+    """[R17.8] For pixels with the values of one sample: after a move, in sub-pixels."""
+
+    def __init__(self, corners, s, move):
+        super().__init__(corners, s)
+        self.move = move
+
+    def plane(self, values):
+        return MovedPlane(super().plane(values), *self.move)
+
     def sloped_plane(self, a0, Gx, Gy):
-        """[R17.3]"""
-        return LimitedPlane(super().sloped_plane(a0, Gx, Gy), 0, 2**30)
-
-
-@dataclass
-class IntegerPlane:
-    a0: int
-    Gx: int
-    Gy: int
-    X0: int
-    Y0: int
-    s: int
-
-    def at_pixel(self, i, j):
-        """[R9.8] At any one pixel, as an integer of any size."""
-        moved = (self.Gx * (int(centers(i, self.s)) - self.X0)
-                 + self.Gy * (int(centers(j, self.s)) - self.Y0)) >> self.s
-        return (self.a0 * 2**16 + 2**15 + moved) >> 16
-
-    def at(self, x, y):
-        """[R9.8] At covered pixels. Their values fit 40 bits, so sums modulo 2^64 give them."""
-        dx = (centers(x, self.s) - self.X0).astype(np.uint64)
-        dy = (centers(y, self.s) - self.Y0).astype(np.uint64)
-        total = np.uint64(self.Gx % 2**64) * dx + np.uint64(self.Gy % 2**64) * dy
-        start = np.uint64(((self.a0 * 2**16 + 2**15) << self.s) % 2**64)
-        # 64 - s - 16 bits are left, with the sign at the top.
-        return (total + start).astype(np.int64) >> (self.s + 16)
-
-
-@dataclass
-class LimitedPlane:
-    """[R9.28] A plane limited to the values at the corners."""
-    plane: IntegerPlane
-    low: int
-    high: int
-
-    def __getattr__(self, name):
-        return getattr(self.plane, name)
-
-    def at(self, x, y):
-        return np.array([max(self.low, min(self.plane.at_pixel(int(i), int(j)), self.high))
-                         for i, j in zip(x, y)], np.int64)
-
-
-@dataclass
-class AtMost:
-    """[R9.28] A numerator that is at most its denominator."""
-    plane: LimitedPlane
-    q: LimitedPlane
-
-    def __getattr__(self, name):
-        return getattr(self.plane, name)
-
-    def at(self, x, y):
-        return np.minimum(self.plane.at(x, y), self.q.at(x, y))
+        return MovedPlane(super().sloped_plane(a0, Gx, Gy), *self.move)
 
 
 def offset(state, plane, depth_bits):

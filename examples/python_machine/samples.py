@@ -4,15 +4,17 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .antialiasing import has_center
 from .numbers import clamp01, one
-from .rasterization import Frame, OuterFrame, covered, whole
+from .rasterization import Frame, MovedFrame, covered, whole
 from .state import Plane
 
 # [R17.2] In 1/8 pixel from the lower left corner.
 PLACES = {2: ((6, 6), (2, 2)),
           4: ((3, 1), (7, 3), (1, 5), (5, 7)),
           8: ((4, 2), (3, 5), (6, 4), (2, 1), (1, 6), (0, 3), (5, 7), (7, 0))}
+
+
+CENTER = -1
 
 
 def count_of(machine):
@@ -24,25 +26,32 @@ def has_places(machine):
     return count_of(machine) > 1 and machine.state.multisample.enable
 
 
+def move_of(place, s):
+    """[R17.2] In sub-pixels."""
+    x, y = place
+    return (4 - x) * 2**(s - 3), (4 - y) * 2**(s - 3)
+
+
 def moved(ready, place, s):
     """[R17.2]"""
-    dx, dy = ((4 - v) * 2**(s - 3) for v in place)
+    dx, dy = move_of(place, s)
     return replace(ready, corners=tuple(replace(c, X=c.X + dx, Y=c.Y + dy)
                                         for c in ready.corners))
 
 
 @dataclass
 class Covered:
-    """[R17.2] Fragments: their pixels, and by sample whether they cover it and their depth."""
+    """[R17.2] Fragments: their pixels, and by sample whether they cover it and their depth; the
+    sample whose values they have, or CENTER [R17.3], [R17.8]."""
     x: np.ndarray
     y: np.ndarray
     masks: np.ndarray
     depths: list
-    outer: np.ndarray  # by fragment [R17.3]
+    place: np.ndarray
 
     def chosen(self, here):
         return Covered(self.x[here], self.y[here], self.masks[:, here],
-                       [z[here] for z in self.depths], self.outer[here])
+                       [z[here] for z in self.depths], self.place[here])
 
 
 def fragments(stage, ready):
@@ -53,35 +62,38 @@ def fragments(stage, ready):
         return None
     places = PLACES[count_of(stage.machine)]
     masks = np.zeros((len(places), top - bottom, right - left), bool)
-    for mask, place in zip(masks, places):
-        here = moved(ready, place, s)
-        x, y = covered(here.corners, stage.box, stage.state, s, ready.steps)
+    center = np.zeros((top - bottom, right - left), bool)
+    for mask, corners in zip((*masks, center),
+                             (*(moved(ready, p, s).corners for p in places), ready.corners)):
+        x, y = covered(corners, stage.box, stage.state, s, ready.steps)
         mask[y - bottom, x - left] = True
     row, column = np.nonzero(masks.any(axis=0))
     x, y = column + left, row + bottom
     depths = [stage.depths(ready, Frame(moved(ready, place, s).corners, s), x, y)
               for place in places]
-    outer = np.array([is_outer(stage, ready, int(i), int(j), s) for i, j in zip(x, y)], bool)
-    return Covered(x, y, masks[:, row, column], depths, outer)
+    first = masks[:, row, column].argmax(axis=0)
+    return Covered(x, y, masks[:, row, column], depths,
+                   np.where(center[row, column], CENTER, first))
 
 
-def is_outer(stage, ready, x, y, s):
-    """[R17.3]"""
-    if len(ready.corners) == 1:
-        return bool(stage.state.point_sprite)
-    return not has_center(ready.corners, x, y, s)
+def frame_at(stage, ready, place):
+    """[R17.3], [R17.8] Of the centres, or of a sample."""
+    s = stage.profile.subpixel_bits
+    if place == CENTER:
+        return Frame(ready.corners, s)
+    return MovedFrame(ready.corners, s, move_of(PLACES[count_of(stage.machine)][place], s))
 
 
 def draw(stage, ready):
-    """[R17.3] The stages of one piece, line or point."""
+    """The stages of one piece, line or point."""
     found = fragments(stage, ready)
     if found is None:
         return
-    for frame_of, outer in ((Frame, False), (OuterFrame, True)):
-        frame = frame_of(ready.corners, stage.profile.subpixel_bits)
+    for place in np.unique(found.place):
+        frame = frame_at(stage, ready, place)
         if len(ready.corners) == 1 and stage.state.point_sprite:
             frame.sprite_size = whole(ready.corners[0].vertex.point_size)
-        here = found.chosen(found.outer == outer)
+        here = found.chosen(found.place == place)
         stage.shade(ready, frame, here.x, here.y, samples=here)
 
 

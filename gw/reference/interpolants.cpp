@@ -150,10 +150,6 @@ void set_sprite(Interpolants& values, std::size_t unit, int size, bool without_t
     v.s = {.plane = plane(half, g, 0)};
     v.t = {.plane = without_t ? plane(0, 0, 0) : plane(half, 0, -g)};
     v.r = {.plane = plane(0, 0, 0)};
-    for (PerspectiveValue* const c : {&v.s, &v.t}) {
-        c->plane.low = 0;
-        c->plane.high = sprite_denominator;
-    }
     set_slopes(values, v);
 }
 
@@ -178,6 +174,18 @@ Interpolants limited_to_pixel(Interpolants v, int x, int y) {
         for (PerspectiveValue* coordinate : {&t.s, &t.t, &t.r})
             t.projective ? limit(coordinate->plane) : limit_over(coordinate->plane, t.q);
     }
+    return v;
+}
+
+Interpolants moved(Interpolants v, const JitterState& by) {
+    const auto move = [&](PlaneEquation& p) { p = moved(p, by); };
+    for (PlaneEquation* const p : {&v.depth, &v.fog, &v.q, &v.fog_coordinate.plane}) move(*p);
+    for (ColorPlanes* const color : {&v.color, &v.secondary}) {
+        for (PlaneEquation& c : color->plane) move(c);
+        for (PlaneEquation& c : color->numerator) move(c);
+    }
+    for (TextureValues& t : v.textures)
+        for (PlaneEquation* const p : {&t.q, &t.s.plane, &t.t.plane, &t.r.plane}) move(*p);
     return v;
 }
 

@@ -80,6 +80,8 @@ void set_sprite(Interpolants& values, std::size_t unit, int size, bool without_t
 /// The same values at one pixel outside the primitive: each plane is limited to the values of its
 /// corners.
 Interpolants limited_to_pixel(Interpolants values, int x, int y);
+/// The same values of the primitive after a move, in sub-pixels. Slopes stay.
+Interpolants moved(Interpolants values, const JitterState& by);
 
 /// 1 / Q: the one division of a pixel.
 float reciprocal(const PlaneEquation& q, int x, int y);

@@ -50,6 +50,12 @@ PlaneEquation plane_along(const SnappedLine& l, std::int64_t a_first, std::int64
     return p;
 }
 
+PlaneEquation moved(PlaneEquation p, const JitterState& by) {
+    p.x0 += by.x;
+    p.y0 += by.y;
+    return p;
+}
+
 PlaneEquation plane_constant(std::int64_t a, int subpixel_bits) {
     return {0, 0, a, 0, 0, subpixel_bits, a, a};
 }

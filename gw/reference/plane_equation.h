@@ -27,6 +27,8 @@ struct PlaneEquation {
 PlaneEquation plane_through(const SnappedTriangle& triangle, const std::array<std::int64_t, 3>& a);
 /// Along a line's major axis, from the end with the smaller major coordinate.
 PlaneEquation plane_along(const SnappedLine& line, std::int64_t a_first, std::int64_t a_second);
+/// That of the primitive after a move, in sub-pixels.
+PlaneEquation moved(PlaneEquation p, const JitterState& by);
 /// The same value everywhere.
 PlaneEquation plane_constant(std::int64_t a, int subpixel_bits);
 

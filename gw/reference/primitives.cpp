@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace gw::reference {
@@ -83,19 +84,22 @@ JitterState operator+(const JitterState& a, const JitterState& b) { return {a.x 
 
 /// Makes the fragments of a primitive. `cover(jitter, sink)` calls the sink with each pixel whose
 /// centre the primitive covers under a jitter: the state's own, or one that brings the place of a
-/// sample to the centre. `is_inside(x, y)`: the pixel's centre is no outer one.
-void cover_pixels(const Drawing& d, const Shader& shade, const auto& cover, const auto& is_inside) {
+/// sample to the centre.
+void cover_pixels(const Drawing& d, const Shader& shade, const auto& cover) {
     const JitterState& jitter = d.state().jitter;
     if (!d.state().multisample.enable)
         return cover(jitter, [&](int x, int y) { shade.pixel(x, y); });
-    std::map<std::pair<int, int>, SampleMask> masks;  // by row and column
+    using Place = std::pair<int, int>;  // row and column
+    std::map<Place, SampleMask> masks;
     for (int k = 0; k < d.context.state.samples; ++k)
         cover(jitter + sample_shift(d.context.state.samples, k, d.subpixel_bits()),
               [&](int x, int y) {
                   masks[{y, x}] |= SampleMask(1u << k);
               });
+    std::set<Place> centers;
+    cover(jitter, [&](int x, int y) { centers.insert({y, x}); });
     for (const auto& [at, mask] : masks)
-        shade.samples(at.second, at.first, mask, is_inside(at.second, at.first));
+        shade.samples(at.second, at.first, mask, centers.contains(at));
 }
 
 std::int64_t offset_of(const Drawing& d, const PlaneEquation& depth) {
@@ -121,15 +125,12 @@ void fill_piece(const Drawing& d, const std::array<Corner, 3>& corners, const So
         return;
     }
     const auto& stipple = d.state().polygon_stipple.pattern;
-    cover_pixels(
-        d, shade,
-        [&](const JitterState& jitter, const PixelSink& pixel) {
-            cover_triangle(snapped_triangle(window, jitter, d.subpixel_bits()),
-                           d.context.state.draw_box, [&](int x, int y) {
-                               if (!stipple || stipple_bit(*stipple, x, y)) pixel(x, y);
-                           });
-        },
-        [&](int x, int y) { return covers(t, x, y); });
+    cover_pixels(d, shade, [&](const JitterState& jitter, const PixelSink& pixel) {
+        cover_triangle(snapped_triangle(window, jitter, d.subpixel_bits()),
+                       d.context.state.draw_box, [&](int x, int y) {
+                           if (!stipple || stipple_bit(*stipple, x, y)) pixel(x, y);
+                       });
+    });
 }
 
 /// The steps of a line before the jitter, so that all samples of a strip count alike.
@@ -165,19 +166,16 @@ void draw_line(const Drawing& d, const Vertex& a, const Vertex& b, const Source&
     stippled += unjittered_steps(corners[0].window, corners[1].window, rule, smooth);
     if (smooth) return draw_smooth_line(shade, line, before);
     const LineStippleState& stipple = d.state().line_stipple;
-    cover_pixels(
-        d, shade,
-        [&](const JitterState& jitter, const PixelSink& pixel) {
-            const SnappedLine l =
-                snapped_line(corners[0].window, corners[1].window, jitter, d.subpixel_bits());
-            const LineSteps steps = line_steps(l, rule);
-            cover_line(l, rule, d.context.state.draw_box, [&](int x, int y) {
-                const auto step = std::uint64_t(steps.step_of(l.x_major ? x : y));
-                if (stipple.enable && !stipple_bit(stipple, before + step)) return;
-                step == 0 && steps.outer_first ? shade.outside_pixel(x, y, 0) : pixel(x, y);
-            });
-        },
-        [&](int x, int y) { return is_between_ends(line, x, y); });
+    cover_pixels(d, shade, [&](const JitterState& jitter, const PixelSink& pixel) {
+        const SnappedLine l =
+            snapped_line(corners[0].window, corners[1].window, jitter, d.subpixel_bits());
+        const LineSteps steps = line_steps(l, rule);
+        cover_line(l, rule, d.context.state.draw_box, [&](int x, int y) {
+            const auto step = std::uint64_t(steps.step_of(l.x_major ? x : y));
+            if (stipple.enable && !stipple_bit(stipple, before + step)) return;
+            step == 0 && steps.outer_first ? shade.outside_pixel(x, y, 0) : pixel(x, y);
+        });
+    });
 }
 
 /// The texture coordinates of a sprite, in units that replace theirs.
@@ -205,13 +203,10 @@ void draw_point(const Drawing& d, std::uint32_t index, const Source& s, bool cou
     const float size = point_size_of(d.state(), *d.context.draw, index);
     if (smooths_points(d.state())) return draw_smooth_point(shade, x, y, size);
     if (d.state().point_sprite) set_sprites(d, shade, whole_size(size));
-    cover_pixels(
-        d, shade,
-        [&](const JitterState& jitter, const PixelSink& pixel) {
-            cover_point(corners[0].window.x + jitter.x, corners[0].window.y + jitter.y,
-                        whole_size(size), d.subpixel_bits(), d.context.state.draw_box, pixel);
-        },
-        [](int, int) { return false; });  // one value everywhere, or the limits of a sprite
+    cover_pixels(d, shade, [&](const JitterState& jitter, const PixelSink& pixel) {
+        cover_point(corners[0].window.x + jitter.x, corners[0].window.y + jitter.y,
+                    whole_size(size), d.subpixel_bits(), d.context.state.draw_box, pixel);
+    });
 }
 
 bool is_culled(const CullState& cull, bool front) {

@@ -7,6 +7,7 @@
 #include "gw/stages/tables.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace gw::reference {
@@ -91,21 +92,18 @@ void Shader::outside_pixel(int x, int y, std::uint32_t coverage) const {
     limited.pixel(x, y, coverage);
 }
 
-void Shader::samples(int x, int y, SampleMask mask, bool inside) const {
-    Shader at_center = *this;
-    if (!inside) at_center.values = limited_to_pixel(values, x, y);
-    Covered covered{mask, {}};
-    for (int k = 0; k < context.state.samples; ++k) {
-        if (!(mask >> k & 1)) continue;
-        const JitterState shift =
-            sample_shift(context.state.samples, k, context.profile->subpixel_bits);
-        PlaneEquation at_sample = values.depth;
-        at_sample.x0 += shift.x;
-        at_sample.y0 += shift.y;
-        covered.depth[std::size_t(k)] = depth_of(at_sample, x, y);
-    }
+void Shader::samples(int x, int y, SampleMask mask, bool covered) const {
+    const auto shift = [&](int k) {
+        return sample_shift(context.state.samples, k, context.profile->subpixel_bits);
+    };
+    Shader one = *this;
+    if (!covered) one.values = moved(values, shift(std::countr_zero(mask)));
+    Covered samples{mask, {}};
+    for (int k = 0; k < context.state.samples; ++k)
+        if (mask >> k & 1)
+            samples.depth[std::size_t(k)] = depth_of(moved(values.depth, shift(k)), x, y);
     process_fragment(context.state, context.target,
-                     {x, y, shaded_color(at_center, x, y), 0, front, primitive}, covered);
+                     {x, y, shaded_color(one, x, y), 0, front, primitive}, samples);
 }
 
 }  // namespace gw::reference

@@ -19,9 +19,9 @@ struct Shader {
     void pixel(int x, int y, std::uint32_t coverage = 0) const;
     /// The same if the pixel's centre is outside the primitive.
     void outside_pixel(int x, int y, std::uint32_t coverage) const;
-    /// The same for a pixel of which these samples are covered, each with a depth of its own. `inside`:
-    /// its centre is inside the primitive.
-    void samples(int x, int y, SampleMask mask, bool inside) const;
+    /// The same for a pixel of which these samples are covered, each with a depth of its own. Colour
+    /// and texels are those of the centre or, if it is not `covered`, of the first sample.
+    void samples(int x, int y, SampleMask mask, bool covered) const;
 
 private:
     std::uint32_t depth_of(const PlaneEquation& plane, int x, int y) const;

@@ -1,6 +1,6 @@
-// Colours and texels of a primitive's pixels with outer centres (R9.28): planes limited to the values
-// at the corners. docs/manual/samples.md; scalar twin: gw/reference/interpolants.cpp. Does not test.
-// Included once per Highway target.
+// Colours and texels of a primitive's pixels with outer centres: planes limited to the values at the
+// corners (R9.28), or at the first covered sample (R17.8). Scalar twin:
+// gw/reference/interpolants.cpp. Does not test. Included once per Highway target.
 #if defined(GW_FAST_OUTER_PIXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GW_FAST_OUTER_PIXELS_INL_H_
 #undef GW_FAST_OUTER_PIXELS_INL_H_
@@ -10,8 +10,10 @@
 
 #include "gw/fast/raster/outer_frame.h"
 #include "gw/fast/shade/batch-inl.h"
+#include "gw/stages/raster/samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -19,7 +21,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// The colour of a pixel with an outer centre, the lane of `mask`.
+/// Lanes of a block, by sample.
+using SampleLanes = std::array<std::uint32_t, max_samples>;
+
+/// The colour of a pixel, the lane of `mask`, at the place of a frame.
 HWY_NOINLINE inline const ColorBlock& outer_color(const TileDraw& draw,
                                                   const SetupPrimitive& primitive,
                                                   const PrimitiveFrame& at, int bx, int by,
@@ -47,8 +52,74 @@ HWY_INLINE void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {
     for (std::size_t c = 0; c < 4; ++c) to.channel[c][lane] = from.channel[c][lane];
 }
 
-/// Primitive i of a batch. The batch's planes serve if they have limits; if not, scalar code makes
-/// planes.
+/// Values at outer centres: planes are limited.
+class OuterCenters {
+public:
+    static constexpr bool limits = true;
+
+    OuterCenters(const BatchPlanes& planes, std::size_t) : draw_(planes.draw) {}
+    HWY_INLINE std::int64_t value(const TilePlane& p, const PlaneLimits& limits, int i, int j,
+                                  int) const {
+        return limits.at(p, i, j);
+    }
+    HWY_INLINE PrimitiveFrame frame(const PrimitiveFrame& f, int bx, int by, int lane) const {
+        return outer_frame(draw_, f, bx, by, lane);
+    }
+
+private:
+    const TileDraw& draw_;
+};
+
+/// Values at the first covered samples.
+class FirstSamples {
+public:
+    static constexpr bool limits = false;
+
+    FirstSamples(const BatchPlanes& planes, std::size_t i)
+        : draw_(planes.draw),
+          s_(planes.corners.s),
+          ax_(static_cast<std::int64_t>(planes.corners.ax[i])),
+          ay_(static_cast<std::int64_t>(planes.corners.ay[i])) {
+        for (int k = 0; k < draw_.op->state.samples; ++k)
+            shift_[std::size_t(k)] = sample_shift(draw_.op->state.samples, k, s_);
+    }
+    /// The samples that the primitive covers in the next block.
+    HWY_INLINE void aim(const SampleLanes& covered, std::uint32_t lanes) {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            std::uint8_t k = 0;
+            while (!(covered[k] >> lane & 1)) ++k;
+            first_[lane] = k;
+        }
+    }
+    HWY_INLINE int first(int lane) const { return first_[lane]; }
+    /// R9.8 modulo 2^(64 - s), as the plane of the tile.
+    HWY_INLINE std::int64_t value(const TilePlane& p, const PlaneLimits&, int i, int j,
+                                  int lane) const {
+        const auto u = [](std::int64_t v) { return static_cast<std::uint64_t>(v); };
+        const JitterState& shift = shift_[first_[lane]];
+        const std::uint64_t one = std::uint64_t{1} << s_;
+        const std::uint64_t below = (u(p.gx) * u(ax_) + u(p.gy) * u(ay_)) & (one - 1);
+        const std::uint64_t moved = below - u(p.gx) * u(shift.x) - u(p.gy) * u(shift.y);
+        const std::uint64_t v =
+            p.c + u(p.gx) * u(i) + u(p.gy) * u(j) + u(static_cast<std::int64_t>(moved) >> s_);
+        return static_cast<std::int32_t>(static_cast<std::uint32_t>(v >> 16));
+    }
+    HWY_INLINE PrimitiveFrame frame(const PrimitiveFrame& f, int bx, int by, int lane) const {
+        return frame_at_sample(draw_, f, first(lane), bx, by, lane);
+    }
+
+private:
+    const TileDraw& draw_;
+    int s_;
+    std::int64_t ax_, ay_;  ///< from corner 0 to the centre of its pixel
+    std::array<JitterState, max_samples> shift_;
+    std::array<std::uint8_t, block_pixels> first_{};
+};
+
+/// Primitive i of a batch at `Places`. The batch's planes serve where they can; if not, scalar code
+/// makes planes.
+template <class Places>
 class OuterPixels {
 public:
     HWY_INLINE static bool applies_to(const BatchPlanes& planes, std::size_t i) {
@@ -56,21 +127,23 @@ public:
     }
 
     HWY_NOINLINE OuterPixels(BatchPlanes& planes, std::size_t i, std::uint32_t ordinal)
-        : draw_(planes.draw),
+        : places(planes, i),
+          draw_(planes.draw),
           primitive_(*planes.corners.primitive[i]),
           ordinal_(ordinal),
           color_(planes.scratch.color[i]),
           texture_(planes.scratch.texture[i]) {
         planes.make();
-        if (planes.narrow || !color_.perspective || !has_limits(color_))
+        if (planes.narrow || !color_.perspective || !serve(color_))
             scalar_colors_.emplace(draw_, primitive_, frame());
         if (!draw_.op->texels) return;
-        if (!has_limits()) scalar_textures_.emplace(draw_, primitive_, frame());
+        if (!serve_textures()) scalar_textures_.emplace(draw_, primitive_, frame());
     }
 
-    /// Whether color_of() can be called.
-    HWY_INLINE bool joins() const { return !scalar_textures_; }
+    Places places;
+
     /// The colours of the pixels of `outer`, and of those of `inner`, which have no outer centres.
+    /// Not for limited places.
     HWY_NOINLINE const ColorBlock& color_of(BatchPlanes& planes, std::size_t i, int bx, int by,
                                             std::uint32_t inner, std::uint32_t outer) {
         ShadeInputs& in = planes.in;
@@ -111,13 +184,14 @@ private:
         constexpr std::int64_t limit = std::int64_t{1} << 52;
         return !p.sliver && std::abs(p.gx) < limit && std::abs(p.gy) < limit;
     }
-    HWY_INLINE static bool has_limits(const ColorPlanes& p) {
+    HWY_INLINE bool serve(const ColorPlanes& p) const {
+        if (!Places::limits) return primitive_.kind == MeshKind::Triangles;
         bool flat = is_flat_enough(p.q);
         for (std::size_t c = 0; c < 4; ++c)
             flat = flat && (p.low[c] == p.high[c] || is_flat_enough(p.color[c]));
         return p.has_limits && flat;
     }
-    HWY_INLINE static bool has_limits(const TexturePlanes& p) {
+    HWY_INLINE static bool serve(const TexturePlanes& p) {
         return p.has_limits && is_flat_enough(p.q) && is_flat_enough(p.s.plane) &&
                is_flat_enough(p.t.plane) && is_flat_enough(p.r.plane);
     }
@@ -130,10 +204,10 @@ private:
     HWY_INLINE bool is_projective(std::size_t unit) const {
         return draw_.op->units ? (*draw_.op->units)[unit].projective : draw_.op->projective;
     }
-    HWY_INLINE bool has_limits() const {
+    HWY_INLINE bool serve_textures() const {
         bool all = true;
-        for (std::size_t unit = 0; unit < max_texture_units; ++unit)
-            all = all && (!is_on(unit) || has_limits(of_unit(texture_, unit)));
+        for (std::size_t unit = 0; Places::limits && unit < max_texture_units; ++unit)
+            all = all && (!is_on(unit) || serve(of_unit(texture_, unit)));
         return all;
     }
     HWY_NOINLINE const PrimitiveFrame& frame() {
@@ -141,18 +215,16 @@ private:
         return *frame_;
     }
     HWY_INLINE Rgba color_at(int bx, int by, int lane) {
-        if (scalar_colors_) {
-            const PrimitiveFrame at = outer_frame(draw_, frame(), bx, by, lane);
-            return scalar_colors_->at(at.pixel_x, at.pixel_y);
-        }
+        if (scalar_colors_) return scalar_colors_->at(places.frame(frame(), bx, by, lane));
         const int i = bx * block_side + lane % block_side, j = by * block_side + lane / block_side;
-        const std::int64_t q = color_.q_limits.at(color_.q, i, j);
+        const std::int64_t q = places.value(color_.q, color_.q_limits, i, j, lane);
         const float w = 1.0f / static_cast<float>(q),
                     one = static_cast<float>(max_of_bits(draw_.op->state.bits));
         Rgba out = color_.low;
         for (std::size_t c = 0; c < 4; ++c) {
             if (color_.low[c] == color_.high[c]) continue;
-            const std::int64_t v = std::min(color_.limits[c].at(color_.color[c], i, j), q);
+            std::int64_t v = places.value(color_.color[c], color_.limits[c], i, j, lane);
+            if (Places::limits) v = std::min(v, q);
             out[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(
                 static_cast<std::int64_t>(std::nearbyint((static_cast<float>(v) * w) * one)),
                 color_.low[c], color_.high[c]));
@@ -161,24 +233,24 @@ private:
     }
     /// Of planes made for the pixel.
     HWY_NOINLINE void look_up_one(int bx, int by, int lane, ShadeInputs& in) {
-        const TexturePlanes& planes =
-            scalar_textures_->at(outer_frame(draw_, frame(), bx, by, lane));
+        const TexturePlanes& planes = scalar_textures_->at(places.frame(frame(), bx, by, lane));
         if (textures_by_pixel(*draw_.op)) return look_up(planes, draw_, bx, by, 1u << lane, in);
         ShadeInputs one;
         look_up(planes, draw_, bx, by, 1u << lane, one);
         copy_lane(one.texels[0], lane, in.texels[0]);
     }
-    /// The limited values of the batch's planes.
+    /// The values of the batch's planes.
     HWY_INLINE void put_values(int bx, int by, int lane) {
         const int i = bx * block_side + lane % block_side, j = by * block_side + lane / block_side;
         for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
             if (!is_on(unit)) continue;
             const TexturePlanes& from = of_unit(texture_, unit);
             TexelValues& to = values_[unit];
-            const std::int64_t q = from.q_limits.at(from.q, i, j);
+            const std::int64_t q = places.value(from.q, from.q_limits, i, j, lane);
             const auto value = [&](const TexturePlane& p) {
-                const std::int64_t v = p.limits.at(p.plane, i, j);
-                return static_cast<std::int32_t>(is_projective(unit) ? v : std::min(v, q));
+                const std::int64_t v = places.value(p.plane, p.limits, i, j, lane);
+                return static_cast<std::int32_t>(
+                    Places::limits && !is_projective(unit) ? std::min(v, q) : v);
             };
             to.q[lane] = static_cast<std::int32_t>(q);
             to.s[lane] = value(from.s);

@@ -25,9 +25,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gw::fast::HWY_NAMESPACE {
 
-/// Lanes of a block, by sample.
-using SampleLanes = std::array<std::uint32_t, max_samples>;
-
 /// What alpha and the coverage test leave of a fragment's samples.
 struct SampleRules {
     int samples;
@@ -103,14 +100,14 @@ public:
     }
     PrimitiveFrame at(int k) const { return sample_frame(draw_, primitive_, rules_.samples, k); }
 
-    /// `inside`: lanes with no outer centre.
+    /// `inside`: lanes whose centres are covered.
     HWY_NOINLINE void paint(int bx, int by, const SampleLanes& covered, std::uint32_t inside) {
         std::uint32_t any = 0;
         for (int k = 0; k < rules_.samples; ++k) any |= covered[std::size_t(k)];
         if (any == 0) return;
         is_shaded_ = false;
         const auto color = [&]() -> const ColorBlock& {
-            if (!is_shaded_) shade(bx, by, any, inside);
+            if (!is_shaded_) shade(bx, by, covered, any, inside);
             return color_;
         };
         OpCounts own;
@@ -135,14 +132,18 @@ private:
         if (rules_.by_alpha) return mask & kept_by_alpha_[std::size_t(k)];
         return rules_.keep(k) ? mask : 0;
     }
-    HWY_NOINLINE void shade(int bx, int by, std::uint32_t any, std::uint32_t inside) {
+    HWY_NOINLINE void shade(int bx, int by, const SampleLanes& covered, std::uint32_t any,
+                            std::uint32_t inside) {
         is_shaded_ = true;
         const std::uint32_t inner = any & inside, outer = any & ~inside;
-        if (inner != 0 && outer != 0 && joins()) {
+        if (outer == 0) {
+            color_ = planes_.color_of(i_, bx, by, inner);
+        } else if (makes_outer()) {
+            outer_->places.aim(covered, outer);
             color_ = outer_->color_of(planes_, i_, bx, by, inner, outer);
         } else {
             if (inner != 0) color_ = planes_.color_of(i_, bx, by, inner);
-            if (outer != 0) shade_outer(bx, by, outer);
+            shade_each(bx, by, covered, outer);
         }
         if (rules_.by_alpha)
             for (int k = 0; k < rules_.samples; ++k)
@@ -152,26 +153,21 @@ private:
     }
 
     HWY_INLINE bool makes_outer() {
-        if (!outer_ && OuterPixels::applies_to(planes_, i_)) outer_.emplace(planes_, i_, ordinal_);
+        if (!outer_ && OuterPixels<FirstSamples>::applies_to(planes_, i_))
+            outer_.emplace(planes_, i_, ordinal_);
         return outer_.has_value();
     }
-    /// Whether pixels with outer centres and others are shaded together.
-    HWY_INLINE bool joins() { return makes_outer() && outer_->joins(); }
 
-    /// The colours of lanes with outer centres.
-    HWY_NOINLINE void shade_outer(int bx, int by, std::uint32_t lanes) {
-        if (!makes_outer()) {
-            for (; lanes != 0; lanes &= lanes - 1) {
-                const int lane = std::countr_zero(lanes);
-                const PrimitiveFrame at = outer_frame(draw_, center(), bx, by, lane);
-                copy_lane(outer_color(draw_, primitive_, at, bx, by, 1u << lane, outer_inputs_),
-                          lane, color_);
-            }
-            return;
+    /// The colours of lanes with outer centres, one by one.
+    HWY_NOINLINE void shade_each(int bx, int by, const SampleLanes& covered, std::uint32_t lanes) {
+        FirstSamples places(planes_, i_);
+        places.aim(covered, lanes);
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const int lane = std::countr_zero(lanes);
+            const PrimitiveFrame at = places.frame(center(), bx, by, lane);
+            copy_lane(outer_color(draw_, primitive_, at, bx, by, 1u << lane, outer_inputs_), lane,
+                      color_);
         }
-        outer_->put(bx, by, lanes, outer_inputs_);
-        const ColorBlock& colors = shaded(draw_, outer_inputs_.texels[0], outer_inputs_);
-        for (; lanes != 0; lanes &= lanes - 1) copy_lane(colors, std::countr_zero(lanes), color_);
     }
 
     BatchPlanes& planes_;
@@ -187,7 +183,7 @@ private:
     ColorBlock color_;
     SampleLanes kept_by_alpha_{};
     ShadeInputs outer_inputs_;
-    std::optional<OuterPixels> outer_;
+    std::optional<OuterPixels<FirstSamples>> outer_;
 };
 
 /// The lanes of a block that the box and the stipple leave.
@@ -257,21 +253,25 @@ HWY_NOINLINE inline void draw_large_sampled(const TileDraw& draw, SampledPainter
         }
 }
 
-/// Lanes of a tile's blocks, by sample.
+/// Lanes of a tile's blocks, by sample and at the centres.
 class SampledBlocks {
 public:
     explicit SampledBlocks(const Tile& tile) : columns_(tile.side / block_side) {}
     void add(int k, int bx, int by, std::uint32_t lanes) {
         lanes_[std::size_t(by * columns_ + bx)][std::size_t(k)] |= lanes;
     }
+    void add_center(int bx, int by, std::uint32_t lanes) {
+        centers_[std::size_t(by * columns_ + bx)] |= lanes;
+    }
     void visit(const auto& visit) const {
         for (int i = 0; i < columns_ * columns_; ++i)
-            visit(i % columns_, i / columns_, lanes_[std::size_t(i)]);
+            visit(i % columns_, i / columns_, lanes_[std::size_t(i)], centers_[std::size_t(i)]);
     }
 
 private:
     int columns_;
     std::array<SampleLanes, max_tile_blocks> lanes_{};
+    std::array<std::uint32_t, max_tile_blocks> centers_{};
 };
 
 HWY_NOINLINE inline void draw_sampled_line_or_point(const TileDraw& draw, std::uint32_t ordinal,
@@ -285,13 +285,11 @@ HWY_NOINLINE inline void draw_sampled_line_or_point(const TileDraw& draw, std::u
         visit_line_or_point(draw, painter.at(k), [&](int bx, int by, const LaneSet& lanes) {
             blocks.add(k, bx, by, lanes.bits());
         });
-    const PrimitiveFrame& center = painter.center();
-    // A point has one value everywhere, unless it is a sprite.
-    const bool is_line = center.kind == MeshKind::Lines;
-    const BlockBox inner = is_line ? between_ends(draw, center) : BlockBox{};
-    const std::uint32_t of_point = draw.op->state.state.point_sprite ? 0 : all_lanes;
-    blocks.visit([&](int bx, int by, const SampleLanes& covered) {
-        painter.paint(bx, by, covered, is_line ? inner.mask(bx, by) : of_point);
+    visit_line_or_point(draw, painter.center(), [&](int bx, int by, const LaneSet& lanes) {
+        blocks.add_center(bx, by, lanes.bits());
+    });
+    blocks.visit([&](int bx, int by, const SampleLanes& covered, std::uint32_t centers) {
+        painter.paint(bx, by, covered, centers);
     });
 }
 

@@ -72,7 +72,7 @@ private:
         const PrimitiveFrame at = outer_frame(draw_, frame_, bx, by, lane);
         const std::uint32_t mask = 1u << lane;
         run(depth_plane(draw_, primitive_, at), bx, by, coverage, mask, [&]() -> const ColorBlock& {
-            if (!OuterPixels::applies_to(planes_, i_))
+            if (!OuterPixels<OuterCenters>::applies_to(planes_, i_))
                 return outer_color(draw_, primitive_, at, bx, by, mask, outer_);
             if (!pixels_) pixels_.emplace(planes_, i_, planes_.corners.ordinal[i_]);
             pixels_->put(bx, by, mask, outer_);
@@ -89,7 +89,7 @@ private:
     const DepthPlane depth_;
     ColorBlock covered_;
     ShadeInputs outer_;
-    std::optional<OuterPixels> pixels_;  ///< made for the first one
+    std::optional<OuterPixels<OuterCenters>> pixels_;  ///< made for the first one
 };
 
 }  // namespace gw::fast::HWY_NAMESPACE

@@ -54,10 +54,10 @@ struct Maker {
         return *made_denominator;
     }
 
-    /// The plane of a numerator; at a pixel outside the primitive it is at most the denominator.
+    /// The plane of a numerator; at an outer centre it is at most the denominator.
     TilePlane numerator(const Values& a) const {
         TilePlane p = frame.plane(a);
-        if (frame.limited) p.c = std::min(p.c, denominator().c);
+        if (frame.outer) p.c = std::min(p.c, denominator().c);
         return p;
     }
 
@@ -175,13 +175,6 @@ struct Maker {
     void sprite(TexturePlanes& out, const UnitOp& unit, bool without_t) const {
         const std::int64_t g = sprite_gradient(whole_size(frame.point_size)),
                            half = sprite_denominator / 2;
-        const auto limited = [&](const TilePlane& p) {
-            if (!frame.limited) return p;
-            const int i = int(frame.pixel_x >> frame.s) - draw.tile.x,
-                      j = int(frame.pixel_y >> frame.s) - draw.tile.y;
-            return PrimitiveFrame::constant(
-                std::clamp<std::int64_t>(value_of(p, i, j), 0, sprite_denominator));
-        };
         out.q = PrimitiveFrame::constant(sprite_denominator);
         out.s = {.plane = frame.sprite_plane(half, g, 0)};
         out.t = {.plane =
@@ -195,8 +188,9 @@ struct Maker {
             out.t.plane_slope = slope_of(out.t.plane, without_t ? zero : at);
             out.r.plane_slope = slope_of(out.r.plane, zero);
         }
-        out.s.plane = limited(out.s.plane);
-        out.t.plane = limited(out.t.plane);
+        if (!frame.at_place) return;
+        out.s.plane = frame.sprite_plane_at_place(half, g, 0);
+        if (!without_t) out.t.plane = frame.sprite_plane_at_place(half, 0, -g);
     }
 
     void texture(TexturePlanes& out, std::size_t number, const UnitOp& unit) const {
@@ -299,17 +293,18 @@ OuterColors::OuterColors(const TileDraw& draw, const SetupPrimitive& primitive,
     Maker{draw, primitive, frame}.outer(*this);
 }
 
-Rgba OuterColors::at(std::int64_t x, std::int64_t y) const {
+Rgba OuterColors::at(const PrimitiveFrame& frame) const {
     if (constant) return low;
+    const std::int64_t x = frame.place_x, y = frame.place_y;
     Rgba out;
     const std::int64_t denominator = perspective ? q.at(x, y) : 0;
     const float w = perspective ? 1.0f / float(denominator) : 0;
     for (std::size_t c = 0; c < 4; ++c) {
         std::int64_t v = color[c].at(x, y);
+        if (frame.outer && perspective) v = std::min(v, denominator);
         if (perspective)
-            v = std::clamp<std::int64_t>(
-                std::int64_t(std::nearbyint((float(std::min(v, denominator)) * w) * one)), low[c],
-                high[c]);
+            v = std::clamp<std::int64_t>(std::int64_t(std::nearbyint((float(v) * w) * one)), low[c],
+                                         high[c]);
         out[c] = std::uint16_t(v);
     }
     return out;
@@ -322,7 +317,7 @@ OuterTextures::OuterTextures(const TileDraw& draw, const SetupPrimitive& primiti
 
 const TexturePlanes& OuterTextures::at(const PrimitiveFrame& frame) {
     const auto move = [&](const LimitedPlane& limited, TilePlane& plane) {
-        plane = PrimitiveFrame::constant(limited.at(frame.pixel_x, frame.pixel_y));
+        plane = PrimitiveFrame::constant(limited.at(frame.place_x, frame.place_y));
     };
     for (std::size_t unit = 0; unit < 1 + planes_.more.size(); ++unit) {
         TexturePlanes& p = unit == 0 ? planes_ : planes_.more[unit - 1];

@@ -159,13 +159,12 @@ void make_secondary_planes(const TileDraw& draw, const SetupPrimitive& primitive
 /// Of a draw with direct_fog.
 GivenFog given_fog(const TileDraw& draw, const SetupPrimitive& primitive,
                    const PrimitiveFrame& frame);
-/// A primitive's colours at pixels with outer centres, before texture. The frame is any that is not
-/// limited.
+/// A primitive's colours at single places, before texture. The frame is any that has no place.
 struct OuterColors {
     static bool applies_to(const DrawOp& op, const SetupPrimitive& primitive);
     OuterColors(const TileDraw& draw, const SetupPrimitive& primitive, const PrimitiveFrame& frame);
-    /// At a centre, in sub-pixels.
-    Rgba at(std::int64_t x, std::int64_t y) const;
+    /// At the place of a frame.
+    Rgba at(const PrimitiveFrame& frame) const;
 
     bool perspective = false, constant = false;
     Rgba low{}, high{};                 ///< of the vertices; `low` is the one colour
@@ -184,7 +183,7 @@ public:
     /// Sets nothing up if the draw is not textured.
     OuterTextures(const TileDraw& draw, const SetupPrimitive& primitive,
                   const PrimitiveFrame& frame);
-    /// At the pixel of a limited frame.
+    /// At the place of a frame with an outer centre.
     const TexturePlanes& at(const PrimitiveFrame& frame);
 
 private:

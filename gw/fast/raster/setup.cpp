@@ -37,8 +37,8 @@ LimitedPlane PrimitiveFrame::limited_of(const std::array<std::int64_t, 3>& a) co
     return {gradients(a), a[base], x[base], y[base], *low, *high, s};
 }
 
-TilePlane PrimitiveFrame::limited_plane(const std::array<std::int64_t, 3>& a) const {
-    TilePlane p = constant(limited_of(a).at(pixel_x, pixel_y));
+TilePlane PrimitiveFrame::plane_at_place(const std::array<std::int64_t, 3>& a) const {
+    TilePlane p = constant(limited_of(a).at(place_x, place_y));
     p.sliver = true;  // its gradients are not the primitive's
     return p;
 }

@@ -45,13 +45,14 @@ inline std::int64_t gradient(std::int64_t num, int shift, std::int64_t den, bool
     return g;
 }
 
-/// A plane at pixels with outer centres (R9.28): limited to the values at the vertices.
+/// A plane at single places, limited to the values at the vertices. At an outer centre that is the
+/// rule (R9.28); elsewhere the limits change nothing (R9.8).
 struct LimitedPlane {
     std::array<int128, 2> gradients{};
     std::int64_t a0 = 0, x0 = 0, y0 = 0, low = 0, high = 0;
     int s = 3;
 
-    /// At a centre, in sub-pixels.
+    /// In sub-pixels.
     std::int64_t at(std::int64_t x, std::int64_t y) const {
         const int128 step = (gradients[0] * (x - x0) + gradients[1] * (y - y0)) >> s;
         const int128 value = ((int128{a0} << 16) + (1 << 15) + step) >> 16;
@@ -73,14 +74,14 @@ struct PrimitiveFrame {
     std::size_t base = 0;
     std::int64_t ax = 0, ay = 0;      ///< from the base to the centre of its pixel
     std::int64_t to_x = 0, to_y = 0;  ///< pixels from the base's to the tile
-    /// The frame is for one pixel outside the primitive, with this centre: planes are constant,
-    /// limited to the values at the vertices.
-    bool limited = false;
-    std::int64_t pixel_x = 0, pixel_y = 0;
+    /// The frame is for one place, in sub-pixels: planes are constant. `outer`: it is the centre of
+    /// a pixel, outside the primitive (R9.28).
+    bool at_place = false, outer = false;
+    std::int64_t place_x = 0, place_y = 0;
 
     /// Plane through values at the primitive's vertices (1, 2 or 3 of them).
     TilePlane plane(const std::array<std::int64_t, 3>& a) const {
-        if (limited) return limited_plane(a);
+        if (at_place) return plane_at_place(a);
         switch (kind) {
             case MeshKind::Triangles: return triangle_plane(a);
             case MeshKind::Lines: return line_plane(a);
@@ -93,6 +94,9 @@ struct PrimitiveFrame {
     TilePlane sprite_plane(std::int64_t a, std::int64_t gx, std::int64_t gy) const {
         return at_tile(a, gx, gy, false);
     }
+    TilePlane sprite_plane_at_place(std::int64_t a, std::int64_t gx, std::int64_t gy) const {
+        return constant(LimitedPlane{{gx, gy}, a, x[0], y[0], 0, 2 * a, s}.at(place_x, place_y));
+    }
     static TilePlane constant(std::int64_t a) { return {(std::uint64_t(a) << 16) + (1u << 15)}; }
 
     /// The gradients before they wrap, for the level of detail and the polygon offset.
@@ -100,7 +104,7 @@ struct PrimitiveFrame {
 
 private:
     std::array<int128, 2> gradients(const std::array<std::int64_t, 3>& a) const;
-    TilePlane limited_plane(const std::array<std::int64_t, 3>& a) const;
+    TilePlane plane_at_place(const std::array<std::int64_t, 3>& a) const;
     TilePlane triangle_plane(const std::array<std::int64_t, 3>& a) const {
         const std::int64_t da1 = a[1] - a[0], da2 = a[2] - a[0];
         if ((da1 | da2) == 0) return constant(a[0]);

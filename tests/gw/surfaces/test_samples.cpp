@@ -165,23 +165,23 @@ TEST(ManualSamples, AreSurfacesUnderAJitter) {
         }
 }
 
-// [R17.3]
-TEST(ManualSamples, OuterCentresAreLimited) {
+// [R17.3] [R17.8]
+TEST(ManualSamples, TheFirstSampleOfAnUncoveredCentre) {
     SampleBench bench(4);
     MeshData quarter = square(0, 0, 0.25, 1, {0, 0, 0, 1});
     quarter.colors[1].r = quarter.colors[2].r = 100 / 255.0f;
     EXPECT_EQ(bench.written(quarter), 1u);
-    EXPECT_EQ(bench.mean_red(), (100 + 2) / 4);
+    EXPECT_EQ(bench.mean_red(), (50 + 2) / 4);
 }
 
-/// A fragment that covers one sample at the side has the colour of the centre.
+/// A fragment that covers the centre has its colour in all samples.
 // [R17.3]
 TEST(ManualSamples, ColoursAreThoseOfTheCentre) {
     SampleBench bench(8);
-    MeshData slope = square(-1, -1, 2, 2, {0, 0, 0, 1});
-    slope.colors[1].r = slope.colors[2].r = 200 / 255.0f;
+    MeshData slope = whole({0, 0, 0, 1});
+    slope.colors[0].r = slope.colors[1].r = 250 / 255.0f;
     EXPECT_EQ(bench.written(slope), 8u);
-    EXPECT_EQ(bench.mean_red(), 100);
+    EXPECT_EQ(bench.mean_red(), 150);
 }
 
 // [R17.4] [R17.7]
