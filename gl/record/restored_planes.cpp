@@ -24,7 +24,7 @@ public:
 
 private:
     void set_buffer(DrawBuffer buffer) {
-        State state;
+        gw::State state;
         state.draw_buffer = buffer;
         list.add(SetState{state});
     }
