@@ -4,10 +4,12 @@ import { articles } from './ja/articles';
 import { code } from './ja/code';
 import { error } from './ja/errors';
 import { label, scene, title } from './ja/figures';
+import { modelError } from './ja/model_errors';
 import { names } from './ja/names';
 import { programs } from './ja/programs';
 import { quiz } from './ja/quiz';
 import { report } from './ja/report';
+import { sceneError } from './ja/scene_errors';
 import { stories } from './ja/stories';
 import { words } from './ja/words';
 
@@ -16,6 +18,6 @@ export default {
   words: { ...words, ...report, ...programs, ...articles },
   quiz,
   stories,
-  names: { ...names, title, scene, code, label, error },
+  names: { ...names, title, scene, code, label, error: [error, modelError, sceneError].join('\n') },
   steps: {},
 } satisfies Translation;

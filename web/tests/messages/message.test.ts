@@ -9,7 +9,7 @@ const patterns: unknown = JSON.parse(
 let messageIn: (text: string, language: string) => string;
 beforeAll(async () => {
   vi.stubGlobal('__GW_MESSAGES__', { ja: patterns });
-  ({ messageIn } = await import('../words/message'));
+  ({ messageIn } = await import('../../words/message'));
 });
 
 it.each([
@@ -27,6 +27,7 @@ it.each([
   // What a program says itself.
   ['Error: my own words', 'エラーです（Error）：my own words'],
   ['my own words', 'my own words'],
+  ['Error: my list is empty', 'エラーです（Error）：my list is empty'],
   // MicroPython.
   ["NameError: name 'a' isn't defined", "名前の誤りです（NameError）：'a' は定義されていません"],
   ['KeyError: pieces', "辞書にないキーです（KeyError）：'pieces'"],
@@ -42,6 +43,22 @@ it.each([
   [
     'own/a.toml: cannot be opened: No such file or directory; expected a readable file',
     "'own/a.toml'：開けません：ファイルがありません。必要なもの：読めるファイル",
+  ],
+  [
+    "own/a.toml:9: object 'floor': has no area and is to emit; expected a figure with an area",
+    "'own/a.toml' の 9 行目：物体 'floor'：光るはずですが、面積がありません。必要なもの：面積のある図形",
+  ],
+  [
+    "renderer 'scanline' leaves out of this scene: shadows, fog, glare",
+    "描画方法 'scanline' がこのシーンで描かないもの：影、フォグ、グレア",
+  ],
+  [
+    "own/a.toml:3: camera.fov is 'wide'; expected a number from 1 to 179",
+    "'own/a.toml' の 3 行目：'camera.fov' が 'wide' です。必要なもの：1 から 179 の数",
+  ],
+  [
+    'own/a.gltf: nodes[3].rotation has 3 elements; expected 4',
+    "'own/a.gltf'：'nodes[3].rotation' の要素が 3 個です。必要なもの：4",
   ],
   [
     "own/a.obj:1: unknown statement 'fx'; the nearest known is 'f'",
