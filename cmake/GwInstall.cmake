@@ -71,6 +71,23 @@ if(TARGET gw)
         FILES_MATCHING PATTERN *.toml PATTERN *.obj PATTERN *.mtl PATTERN *.png PATTERN make_*
             EXCLUDE)
 endif()
+# Debian's name and place for the licences of all that a package contains.
+find_program(GW_DPKG dpkg)
+if(TARGET gw AND GW_DPKG)
+    set(packages "")
+    if(TARGET gw_python)
+        set(packages pybind11-dev)
+    endif()
+    execute_process(COMMAND ${PROJECT_SOURCE_DIR}/scripts/licences ${packages}
+        OUTPUT_FILE ${PROJECT_BINARY_DIR}/copyright COMMAND_ERROR_IS_FATAL ANY)
+    foreach(pair command:gw development:libgw-dev python:python3-gw)
+        string(REPLACE ":" ";" pair ${pair})
+        list(GET pair 0 component)
+        list(GET pair 1 package)
+        install(FILES ${PROJECT_BINARY_DIR}/copyright DESTINATION
+            ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
+    endforeach()
+endif()
 # Documents name each other, the examples and the schemas by their places in the repository.
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN Doxyfile

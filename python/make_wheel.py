@@ -56,7 +56,9 @@ with tempfile.TemporaryDirectory() as folder:
     (info / "WHEEL").write_text(
         "Wheel-Version: 1.0\nGenerator: make_wheel.py\nRoot-Is-Purelib: false\n"
         f"Tag: {python}-{python}-manylinux_{glibc}_{platform.machine()}\n")
-    shutil.copy(root / "LICENSE", info)
+    licences = subprocess.run([root / "scripts/licences", "pybind11-dev", *needed], check=True,
+                              capture_output=True)
+    (info / "LICENSE").write_bytes(licences.stdout)
     output.mkdir(exist_ok=True)
     subprocess.run([sys.executable, "-m", "wheel", "pack", "--dest-dir", output, top], check=True,
                    stdout=subprocess.DEVNULL)

@@ -12,6 +12,7 @@ import { viteSingleFile } from 'vite-plugin-singlefile';
 import { argumentsOf, runs } from './articles/figures';
 import { films } from './articles/films';
 import { makeFilm } from './articles/make_film';
+import { licences } from './notices';
 
 const gw = resolve(process.env.GW ?? '../build/release/bin/gw');
 const scenes = resolve(process.env.GW_SCENES ?? '../scenes');
@@ -48,10 +49,16 @@ const logs: Plugin = {
 
 export default defineConfig({
   root: 'articles',
-  plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile(), logs],
+  plugins: [
+    svelte({ configFile: resolve('svelte.config.js') }),
+    licences(),
+    viteSingleFile(),
+    logs,
+  ],
   build: {
     outDir: resolve(process.env.GW_WEB_OUT ?? 'dist/articles'),
     emptyOutDir: true,
     target: 'es2022',
+    modulePreload: false,
   },
 });

@@ -9,6 +9,7 @@ import { buildSync } from 'esbuild';
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { defineConfig, type Plugin } from 'vite';
 import { viteSingleFile } from 'vite-plugin-singlefile';
+import { licences } from './notices';
 
 const engine = process.env.GW_ENGINE ?? '../build/lab/engine';
 const scalar = process.env.GW_SCALAR ?? '../build/lab/scalar';
@@ -21,6 +22,12 @@ const packed = (bytes: Uint8Array | string): string =>
 /** Documents that Help shows. */
 const texts = (): string =>
   execFileSync('/usr/bin/python3', [join(project, 'scripts/site'), '--texts'], {
+    encoding: 'utf8',
+  });
+
+/** What is compiled into the engine, and Emscripten's own. */
+const ofEngine = (): string =>
+  execFileSync('/usr/bin/python3', [join(project, 'scripts/licences'), '--others', 'emscripten'], {
     encoding: 'utf8',
   });
 
@@ -39,12 +46,16 @@ const alias = {
   'gw-scalar': resolve(scalar, 'engine.js'),
 };
 
+/** Files whose code stands in the page as text of a script. */
+const inScripts = new Set<string>();
+
 /** A script as text, in one piece. */
 function scriptText(file: string, format: 'iife' | 'esm'): string {
   const built = buildSync({
     entryPoints: [resolve(file)],
     bundle: true,
     write: false,
+    metafile: true,
     minify: true,
     format,
     target: 'es2022',
@@ -52,6 +63,9 @@ function scriptText(file: string, format: 'iife' | 'esm'): string {
     external: ['module', 'url', 'path', 'fs', 'crypto', 'worker_threads'], // of Node, never reached
     define: { 'import.meta.url': '""' }, // of Emscripten's scripts, which get their bytes from the page
   });
+  for (const { inputs } of Object.values(built.metafile.outputs))
+    for (const [file, { bytesInOutput }] of Object.entries(inputs))
+      if (bytesInOutput > 0) inScripts.add(resolve(file));
   return built.outputFiles[0]!.text.replaceAll('</script', '<\\/script').replaceAll(
     '<!--',
     '<\\!--',
@@ -106,11 +120,17 @@ export default defineConfig({
     __GW_VERSION__: JSON.stringify(version),
     __GW_MESSAGES__: JSON.stringify(messages()),
   },
-  plugins: [svelte({ configFile: resolve('svelte.config.js') }), viteSingleFile(), data()],
+  plugins: [
+    svelte({ configFile: resolve('svelte.config.js') }),
+    data(),
+    licences(inScripts, ofEngine()),
+    viteSingleFile(),
+  ],
   build: {
     outDir: process.env.GW_WEB_OUT ?? '../dist-lab',
     emptyOutDir: true,
     target: 'es2022',
+    modulePreload: false,
     chunkSizeWarningLimit: 8192,
   },
 });

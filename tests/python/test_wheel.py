@@ -41,6 +41,14 @@ def test_the_module_takes_its_libraries_from_the_wheel(unpacked):
     assert len(loaded) == 3 and all(file.startswith(f"{unpacked}/gw/lib/") for file in loaded)
 
 
+def test_it_has_the_licences_of_its_libraries(unpacked):
+    (licence,) = unpacked.glob("gw-*.dist-info/LICENSE")
+    text = licence.read_text(encoding="utf-8")
+    assert text.startswith("MIT License\n")
+    for package in ("libfmt9", "libhwy-dev", "libpng16-16", "libtbb12", "pybind11-dev"):
+        assert f"\n{package}\n\n" in text
+
+
 def test_pyopengl_draws_on_the_wheels_osmesa(unpacked):
     drawn = run(unpacked, SOURCE / "tests/python/osmesa_triangle.py")
     library = unpacked / "gw/opengl/libOSMesa.so.8"

@@ -22,6 +22,15 @@ describePages('axe-core finds nothing', (pages) => {
     await nothing();
   }, 300_000);
 
+  it('in the licences, which every page shows', async () => {
+    await pages.open('player', [text()], '#lang=ja');
+    await pages.page.click('footer .text-licence');
+    expect(await pages.textOf('dialog[open] pre')).toContain('Svelte Contributors');
+    await nothing();
+    await pages.page.keyboard.press('Escape');
+    await pages.page.waitForSelector('dialog[open]', { hidden: true });
+  });
+
   it('in a comparison', async () => {
     await pages.open('compare', [JSON.stringify(comparison)], '#lang=en&plane=all');
     await nothing();

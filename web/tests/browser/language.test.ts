@@ -15,7 +15,11 @@ const marked = (file: string): string =>
     .replace(/^(.* \| )(.*?)(`,)?$/gm, '$1«$2»$3');
 const settings = readdirSync('.').filter((name) => /\.(json|js|ts)$/.test(name));
 const words = process.env['GW_STEP_WORDS'] ?? '../hiddensurface/run/step_words.json';
-const env = { ...process.env, GW_STEP_WORDS: resolve(words) };
+const env = {
+  ...process.env,
+  GW_STEP_WORDS: resolve(words),
+  GW_SCENES: resolve(process.env['GW_SCENES'] ?? '../scenes'),
+};
 /** A file of which nearly all is still missing. */
 const begun = `
 import type { Begun } from "../language";
