@@ -14,7 +14,14 @@ const { messageIn } = await import('../../words/message');
 /** Texts that nobody reads: by which warnings are counted, and parts of texts. */
 const unread = new Set([
   ...['item buffer', 'light range', 'metal map', 'no texcoords', 'opacity without st', 'map again'],
-  ...['vertex colours', 'shadow map', 'its camera is', 'its lights are', 'its animations are'],
+  ...[
+    'texels of {}',
+    'vertex colours',
+    'shadow map',
+    'its camera is',
+    'its lights are',
+    'its animations are',
+  ],
   ...['the background is', 'the fog is', "the faces' own normals stand in", 'it is dark there'],
   ...['beside a texture are drawn as means of triangles, in at most 64 colours'],
   ...['are drawn as their mean', '{}a renderer by rays', '{}the file has no {}'],

@@ -114,7 +114,7 @@ export const modelError = [
   'fewer, so it is {0} | 少ない数なので、{0}',
   'drawn with one opacity | 一つの不透明度で描きます',
   'cut at 0.5 | 0.5 で切ります',
-  "material '{0}': its metallicRoughnessTexture lies in another way than its colours | 材質 '{0}'：metallicRoughnessTexture の置き方が、色のテクスチャと違います",
+  "material '{0}': its {1} lies in another way than its colours | 材質 '{0}'：'{1}' の置き方が、色のテクスチャと違います",
   'the same, so it is drawn with its means | 同じ置き方なので、平均値で描きます',
   'a map of {0} texels repeats without being mirrored | {0} テクセルのマップは、鏡像にせずに繰り返します',
   "map option {0} is not honoured | マップの指定 '{0}' は使いません",

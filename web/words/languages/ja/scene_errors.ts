@@ -196,6 +196,7 @@ export const sceneError = [
   'a light is not in candela or lumen, so radiosity leaves it out | 単位が candela か lumen でない光源があり、ラジオシティでは使いません',
   "light '{0}' is not in candela or lumen, so radiosity leaves it out | 光源 '{0}' の単位が candela か lumen でないので、ラジオシティでは使いません",
   'one of these, or an object that emits | どちらかの単位、または光る物体',
+  'the scene has nothing to draw | シーンに描くものがありません',
   'the picture is empty: no pixel differs from the background | 画像が空です。背景と違う画素がありません',
   'the scene before the eye, lit, and not of opacity 0 | 視点の前にあり、照らされ、不透明度が 0 でないシーン',
   "renderer '{0}' leaves out of this scene: {1} | 描画方法 '{0}' がこのシーンで描かないもの：{1}",
