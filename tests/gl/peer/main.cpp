@@ -185,8 +185,13 @@ std::vector<Step> shrunk(const Gl& ours, const Gl& peer, std::vector<Step> progr
     return program;
 }
 
-/// The calls, and the numbers that both libraries gave. The pictures' calls are left out.
+/// The calls, and the numbers that both libraries gave. The pictures' calls are left out. In a new
+/// process: a library's threads would not be in those that are made later.
 void print_program(const Gl& ours, const Gl& peer, const std::vector<Step>& program) {
+    std::fflush(stdout);
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("no process");
+    if (child > 0) return void(waitpid(child, nullptr, 0));
     const Gl calls = traced(ours);
     Window a(calls), b(peer);
     for (const Step& step : program) {
@@ -194,6 +199,8 @@ void print_program(const Gl& ours, const Gl& peer, const std::vector<Step>& prog
         print_values("first", played(a, step));
         print_values("second", played(b, step));
     }
+    std::fflush(stdout);
+    _exit(0);
 }
 
 struct Arguments {
