@@ -163,7 +163,10 @@ export function readArticle(source: string): ArticleText {
 
 /** Lines of one paragraph: Japanese ones without a blank between them. */
 const joined = (text: string): string =>
-  text.replace(/([\u3000-\u9fff）」])\n(?=[\u3000-\u9fff（「])/gu, '$1').replaceAll('\n', ' ');
+  text
+    .replace(/(?<=[\u3000-\u9fff）])\n(?=[\u3000-\u9fff（])/gu, '')
+    .replace(/(?<=[、。」）])\n|\n(?=[「（])/gu, '')
+    .replaceAll('\n', ' ');
 
 /** All lines of an article. */
 export function linesOf(text: ArticleText): Line[] {

@@ -30,6 +30,12 @@ describe.each(ids)('the article %s', (id) => {
     expect(figures(ja)).toEqual(figures(en));
   });
 
+  it('has no blank beside a Japanese comma, full stop or bracket', () => {
+    const said = linesOf(ja).map((line) => line.map((part) => ('text' in part ? part.text : '1')));
+    for (const text of said.map((parts) => parts.join('')))
+      expect(text).not.toMatch(/[、。」）] | [、。「（]/);
+  });
+
   it('names figures of the tables only, and shows each that it names', () => {
     const shown = new Set(en.sections.map(({ figure }) => figure));
     for (const figure of shown)
