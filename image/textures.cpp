@@ -5,6 +5,7 @@
 #include "image/decoder_process.h"
 #include "image/memory_file.h"
 #include "image/png.h"
+#include "scene/maps/map_lists.h"
 #include "scene/text/number.h"
 #include "scene/text/text_file.h"
 
@@ -67,8 +68,9 @@ class Loader {
 public:
     void load(scene::Map& map, std::string_view statement) {
         if (map.texture || map.from_scene > 0) return;
+        if (map.may_lack && !scene::file_exists(map.file)) return;
         const auto [found, is_new] = cache_.try_emplace(key_of(map.file));
-        const std::string what = named_in_file(map, statement) + ": ";
+        const std::string what = scene::map_words(map, statement) + ": ";
         try {
             if (is_new) found->second = read_texture(map, decoder_);
         } catch (const Error& error) {
@@ -82,10 +84,6 @@ public:
     std::vector<std::string> warnings;
 
 private:
-    static std::string named_in_file(const scene::Map& map, std::string_view statement) {
-        const std::string place = map.place.empty() ? std::string(statement) : map.place;
-        return map.bytes ? place : place + " " + map.file.string();
-    }
     static std::string largest_text(float largest) {
         return "has values to " + scene::number_text(double(largest)) +
                "; expected 0 to 1, to which they are clamped";
@@ -103,19 +101,13 @@ TextureRef read_texture(const std::filesystem::path& file) {
 
 std::vector<std::string> load_textures(scene::Scene& scene) {
     Loader loader;
-    for (scene::Material& material : scene.materials) {
-        const std::pair<std::string_view, std::vector<scene::Map>*> lists[] = {
-            {"map_Ka", &material.map_Ka}, {"map_Kd", &material.map_Kd},
-            {"map_Ks", &material.map_Ks}, {"map_Ke", &material.map_Ke},
-            {"refl", &material.refl},     {"refraction", &material.refraction},
-            {"map_d", &material.map_d},   {"metallicRoughnessTexture", &material.map_metal},
-        };
-        for (const auto& [statement, maps] : lists)
-            for (scene::Map& map : *maps) {
+    for (scene::Material& material : scene.materials)
+        for_each_map_list(material, [&](std::string_view statement, std::vector<scene::Map>& maps) {
+            for (scene::Map& map : maps) {
                 end_if_canceled();
                 loader.load(map, statement);
             }
-    }
+        });
     return std::move(loader.warnings);
 }
 

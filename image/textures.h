@@ -10,9 +10,9 @@
 
 namespace gw::image {
 
-/// Fills in every map's `texture` that is null, reading each file once. Throws Error naming the
-/// file and line of a map whose file is missing, no regular file, unreadable, cut short or has a
-/// side outside 1 .. max_texture_size. Returns warnings: files with values above 1.
+/// Fills in every map's `texture` that is null, reading each file once. It stays null if Map::may_lack
+/// and the file is missing. Throws Error naming the file and line of a map whose file is missing, no
+/// regular file, unreadable, cut short or has a side outside 1 .. max_texture_size. Returns warnings: files with values above 1.
 std::vector<std::string> load_textures(scene::Scene& scene);
 
 /// One file. Values of 8 and 16 bits are unchanged; floating point and 32-bit values are clamped to

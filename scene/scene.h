@@ -49,6 +49,8 @@ struct Map {
     vec2 scale{1, 1};                                   ///< MTL -s
     /// above 0: no file, but generated from the scene with this many texels a side [K3.1]
     int from_scene = 0;
+    /// A model names it: if its file is missing, the model is drawn without it.
+    bool may_lack = false;
     TextureRef texture;  ///< null until loaded, or generated (multipass/frame/scene_maps.h)
     OpacityChannel channel = OpacityChannel::Alpha;  ///< of map_d
     /// The mean of its texels stands for it: its coordinates are of a set that the mesh lacks.
@@ -82,7 +84,7 @@ struct Material {
     /// [GLTF2 3.9.2], or RGB its F0, if that is given, and A its glossiness; maps/finish.h makes Ka, Kd,
     /// Ks, Ns and their maps of it.
     std::vector<Map> map_metal;
-    std::shared_ptr<const Physical> physical;  ///< that surface; null: no map changes it
+    std::shared_ptr<const Physical> physical;  ///< glTF's surface; null: it is no such
 };
 
 /// Light around a self-luminous object: its picture, superposed at places over a range in the

@@ -8,6 +8,7 @@
 #include "multipass/passes/pass_toml.h"
 #include "render/options.h"
 #include "scene/maps/finish.h"
+#include "scene/maps/map_lists.h"
 #include "scene/toml/read_scene.h"
 
 #include <CLI/CLI.hpp>
@@ -27,10 +28,10 @@ auto as_usage(const Work& work) {
 
 void add_textures(image::InputFiles& inputs, const scene::Scene& scene) {
     for (const scene::Material& m : scene.materials)
-        for (const auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.map_d, &m.map_metal,
-                                 &m.refl, &m.refraction})
-            for (const scene::Map& map : *maps)
+        scene::for_each_map_list(m, [&](std::string_view, const std::vector<scene::Map>& maps) {
+            for (const scene::Map& map : maps)
                 if (!map.bytes) inputs.add(map.file);
+        });
 }
 
 }  // namespace

@@ -48,12 +48,12 @@ public:
         if (tint.texture) out_.material.map_Kd.push_back(color_map(tint, document_.file()));
         set_words(physical_, out_.material);
         out_.luminance = physical_.unlit ? physical_.base : physical_.emissive;
-        if (physical_.unlit) std::swap(out_.material.map_Kd, out_.material.map_Ke);
-        if (physical_.unlit) out_.material.map_metal.clear();
-        if (!out_.material.map_metal.empty() || (physical_.F0 && !physical_.unlit))
+        if (physical_.unlit) {
+            std::swap(out_.material.map_Kd, out_.material.map_Ke);
+            out_.material.map_metal.clear();
+        } else {
             out_.material.physical = std::make_shared<const Physical>(physical_);
-        else if (physical_.metallic > 0.5)
-            out_.material.map_Ks = out_.material.map_Kd;
+        }
         return std::move(out_);
     }
 
@@ -224,6 +224,7 @@ private:
         GltfUri uri = document_.read_uri(image.at("uri"));
         map.bytes = std::move(uri.bytes);
         map.file = std::move(uri.file);
+        map.may_lack = !map.bytes;
         if (map.bytes) map.file = document_.file() + ": " + image.place();
     }
 

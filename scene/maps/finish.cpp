@@ -6,6 +6,7 @@
 #include "scene/maps/mean.h"
 #include "scene/maps/metal.h"
 #include "scene/maps/mirrored.h"
+#include "scene/maps/missing.h"
 #include "scene/text/suggest.h"
 
 #include <algorithm>
@@ -171,6 +172,7 @@ void finish(Scene& scene, Warnings& warnings) {
 }
 
 void finish(Scene& scene, std::vector<Film>& films, Warnings& warnings) {
+    leave_out_missing(scene, warnings);
     choose_opacity_channels(scene);
     apply_metal_maps(scene, warnings);
     replace_by_means(scene);

@@ -156,6 +156,7 @@ class GlossTexels {
 public:
     GlossTexels(const Physical& surface, const Texture* base, const Texture* F0)
         : surface_(surface),
+          factor_(*surface.F0),
           base_(base),
           F0_(F0),
           width_(std::max(base ? base->width() : 1, F0 ? F0->width() : 1)),
@@ -180,18 +181,18 @@ public:
 private:
     void add(int x, int y) {
         const std::uint16_t* const base = base_ ? texel(*base_, x, y, width_, height_) : white;
-        const std::uint16_t* const F0 = F0_ ? texel(*F0_, x, y, width_, height_) : white;
-        Physical p = surface_;
+        const std::uint16_t* const of_F0 = F0_ ? texel(*F0_, x, y, width_, height_) : white;
+        dvec3 diffuse = surface_.base, F0 = factor_;
         for (int k = 0; k < 3; ++k) {
-            p.base[k] *= tables_.decode(base[k]);
-            (*p.F0)[k] *= tables_.decode(F0[k]);
+            diffuse[k] *= tables_.decode(base[k]);
+            F0[k] *= tables_.decode(of_F0[k]);
         }
-        const double metallic = p.metallic_part(), broad = metallic * p.roughness / 2;
-        const dvec3 diffuse = p.base * (1 - metallic);
-        const dvec3 lit = lit_at_peak(*p.F0, diffuse, p.roughness);
+        const double metallic = metallic_of(F0), broad = metallic * surface_.roughness / 2;
+        diffuse *= 1 - metallic;
+        const dvec3 lit = lit_at_peak(F0, diffuse, surface_.roughness);
         for (int k = 0; k < 3; ++k) {
             const double Kd = tables_.encode(diffuse[k]), highlight = tables_.encode(lit[k]) - Kd;
-            Ka_.push_back(std::uint16_t(quantize(tables_.encode(diffuse[k] + (*p.F0)[k]), 16)));
+            Ka_.push_back(std::uint16_t(quantize(tables_.encode(diffuse[k] + F0[k]), 16)));
             Kd_.push_back(std::uint16_t(quantize(Kd + highlight * broad, 16)));
             Ks_.push_back(std::uint16_t(quantize(highlight * (1 - broad), 16)));
         }
@@ -201,6 +202,7 @@ private:
     static constexpr std::uint16_t white[] = {0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF};
     const SrgbTables tables_;
     const Physical& surface_;
+    const dvec3 factor_;
     const Texture *base_, *F0_;
     int width_, height_;
     std::vector<std::uint16_t> Ka_, Kd_, Ks_;
@@ -268,6 +270,8 @@ void apply_metal_maps(Scene& scene, Warnings& warnings) {
             apply_specular_glossiness(material, warnings);
         else if (!material.map_metal.empty())
             apply_metallic_roughness(material, warnings);
+        else if (material.physical->metallic > 0.5)
+            material.map_Ks = material.map_Kd;
         material.map_metal.clear();
         material.physical = nullptr;
     }

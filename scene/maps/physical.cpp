@@ -20,7 +20,9 @@ double decoded_number(double shown) {
 
 }  // namespace
 
-double Physical::metallic_part() const { return F0 ? std::max({F0->x, F0->y, F0->z}) : metallic; }
+double metallic_of(const dvec3& F0) { return std::max({F0.x, F0.y, F0.z}); }
+
+double Physical::metallic_part() const { return F0 ? metallic_of(*F0) : metallic; }
 
 dvec3 Physical::F0_of_all() const {
     const dvec3 of_dielectric = glm::min(F0_tint * (dielectric_F0 * specular), dvec3(1));

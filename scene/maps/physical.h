@@ -21,6 +21,9 @@ struct Physical {
     /// What it reflects of the light along its normal, without what it scatters.
     dvec3 F0_of_all() const;
 };
+/// The metallic part of a surface with F0 of its own: the largest channel.
+double metallic_of(const dvec3& F0);
+
 /// What of a surface does not depend on maps, encoded.
 struct Reflection {
     vec3 diffuse{0}, highlight{0};

@@ -67,6 +67,7 @@ public:
         if (rest_.empty()) return {};
         result_.map.file = find_file(folder, rest_);
         result_.map.origin = {in_.file(), in_.line()};
+        result_.map.may_lack = true;
         return std::move(result_);
     }
 

@@ -196,6 +196,16 @@ TEST(LoadTextures, NamesTheFileAndLineThatAsk) {
     }
 }
 
+TEST(LoadTextures, AModelMayLackAFileButNotHaveAWrongOne) {
+    const Folder folder;
+    scene::Scene scene = scene_with_map(folder / "missing.png");
+    scene.materials[0].map_Kd[0].may_lack = true;
+    EXPECT_TRUE(load_textures(scene).empty());
+    EXPECT_FALSE(scene.materials[0].map_Kd[0].texture);
+    std::ofstream(folder / "missing.png") << "no picture";
+    EXPECT_THROW(load_textures(scene), Error);
+}
+
 TEST(LoadTextures, ReadsEachFileOnceForAllMaps) {
     const Folder folder;
     write_raw<std::uint8_t>(folder / "a.png", 1, 1, 3, {1, 2, 3});

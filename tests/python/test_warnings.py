@@ -100,6 +100,23 @@ def test_every_door_warns_of_a_scene_without_objects(use):
     assert len(found) == 1
 
 
+def test_a_model_is_drawn_without_a_picture_that_is_missing(tmp_path):
+    """A scene's own map is an error."""
+    (tmp_path / "m.mtl").write_text("newmtl wood\nKa 0\nKd 1 0 0\nmap_Kd gone.png\nmap_d hole.png\n")
+    (tmp_path / "m.obj").write_text(
+        "mtllib m.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
+    with pytest.warns(UserWarning, match=r"m.mtl:4: map_Kd .*gone.png: no such file; expected a "
+                      "picture file, so it and another are left out$") as found:
+        scene = gw.Scene.open(tmp_path / "m.obj")
+    assert len(found) == 1
+    red = gw.render(scene, 32, 24).color.max(axis=(0, 1))
+    assert red[0] > 100 and red[1] == red[2] == 0
+    (tmp_path / "s.toml").write_text('[[object]]\nshape = "sphere"\nmaterial = "skin"\n'
+                                     '[material.skin]\nmap_Kd = "gone.png"\n')
+    with pytest.raises(gw.Error, match="s.toml:5: map_Kd .*gone.png: no such file"):
+        gw.Scene.open(tmp_path / "s.toml")
+
+
 @pytest.mark.parametrize("draw", [gw.render, gw.cast_rays, gw.renderer_differences])
 def test_an_empty_picture_of_a_scene_is_named(draw):
     scene = gw.Scene()

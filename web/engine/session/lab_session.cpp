@@ -6,6 +6,7 @@
 #include "inspect/replay/forwarding_machine.h"
 #include "multipass/passes/pass_toml.h"
 #include "scene/maps/finish.h"
+#include "scene/maps/map_lists.h"
 #include "web/engine/json_point.h"
 #include "web/engine/method.h"
 #include "web/engine/request.h"
@@ -22,10 +23,10 @@ namespace {
 template <class Scene, class Visit>
 void for_each_map(Scene& scene, const Visit& visit) {
     for (auto& m : scene.materials)
-        for (auto* maps : {&m.map_Ka, &m.map_Kd, &m.map_Ks, &m.map_Ke, &m.map_d, &m.map_metal,
-                           &m.refl, &m.refraction})
-            for (auto& map : *maps)
+        scene::for_each_map_list(m, [&](std::string_view, auto& maps) {
+            for (auto& map : maps)
                 if (map.from_scene == 0) visit(map);
+        });
 }
 
 std::string key_of(const std::filesystem::path& file) {
@@ -147,7 +148,7 @@ Json LabSession::finish(const Json&) { return {{"warnings", finished().warnings}
 
 void LabSession::check_pictures() const {
     for_each_map(file_.scene, [&](const scene::Map& map) {
-        if (!map.texture && !pictures_.contains(key_of(map.file)))
+        if (!map.texture && !map.may_lack && !pictures_.contains(key_of(map.file)))
             throw Error(map.origin.file, map.origin.line,
                         map.file.string() + " is not here; expected it beside the scene");
     });
