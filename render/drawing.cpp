@@ -7,6 +7,7 @@
 #include "render/options.h"
 #include "scene/toml/read_profile.h"
 #include "scene/validate/rules.h"
+#include "scene/validate/slivers.h"
 
 #include <fmt/format.h>
 
@@ -125,6 +126,10 @@ Drawing make_drawing(const Request& request, const Profile& profile, SceneInput 
 std::vector<std::string> warnings(const Drawing& drawing) {
     std::vector<std::string> lines =
         scene::warnings_of(drawing.scene, drawing.view(), drawing.renderer().drawn_by);
+    if (drawing.renderer().drawn_by != scene::DrawnBy::Rays)
+        lines.push_back(
+            scene::turned_slivers(drawing.scene, drawing.view(), drawing.profile.subpixel_bits));
+    std::erase(lines, "");
     const std::string effects = left_out(drawing.renderer(), drawing.scene);
     if (!effects.empty()) lines.insert(lines.begin(), effects);
     return lines;
