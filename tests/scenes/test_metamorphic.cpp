@@ -1,12 +1,10 @@
 // Claims: what a text says in another way, in another place or beside what nobody sees makes the same
 // picture, by every renderer and every algorithm. Each relation holds to the bit unless its test says
 // why not. Scenes are random, or those of scenes/hidden.
-#include "gw/machine.h"
-#include "hiddensurface/run/compare.h"
-#include "scene/draw/fit.h"
 #include "scene/text/text_file.h"
 #include "scene/toml/read_scene.h"
 #include "test_paths.h"
+#include "tests/scenes/counts.h"
 #include "tests/scenes/pictures.h"
 #include "tests/temporary_folder.h"
 
@@ -104,26 +102,8 @@ std::filesystem::path write(const TemporaryFolder& folder, const std::string& na
                             ".obj\"\n");
 }
 
-/// Of every hidden-surface algorithm.
-std::map<std::string, hiddensurface::Counts> counts_of(const std::filesystem::path& file) {
-    scene::Scene s = scene::read_scene(file).scene;
-    scene::add_defaults(s, width, height);
-    const scene::View view = scene::make_view(s, width, height);
-    const auto machine = make_fast(vgx(), width, height, {.threads = 1});
-    const hiddensurface::Input input = hiddensurface::make_input(s, view, vgx());
-    hiddensurface::StepLog none;
-    std::map<std::string, hiddensurface::Counts> counts;
-    for (const hiddensurface::Algorithm& algorithm : hiddensurface::algorithms())
-        counts[algorithm.name] = hiddensurface::run_on(*machine, algorithm, input, none).counts;
-    return counts;
-}
-
-void expect_same_counts(const std::filesystem::path& a, const std::filesystem::path& b,
-                        const std::string& what) {
-    const auto x = counts_of(a), y = counts_of(b);
-    for (const auto& [name, counts] : x)
-        for (const auto& [count, member] : hiddensurface::count_names())
-            EXPECT_EQ(counts.*member, y.at(name).*member) << what << ", " << name << ", " << count;
+AllCounts counts_of(const std::filesystem::path& file) {
+    return gw::counts_of(scene::read_scene(file).scene, width, height);
 }
 
 /// Texts that say the same, or the same in another unit or place.
@@ -164,11 +144,12 @@ protected:
 };
 
 TEST_P(Metamorphic, AnotherWritingIsTheSamePictureAndWork) {
+    const AllCounts counts = counts_of(file);
     for (const auto& [what, writing] : writings()) {
         const auto other = write(folder, "b", model, writing);
         const bool moves = writing.move != dvec3(0);
         expect_alike(before, pictures_of(other), what, {.ray_units = moves});
-        if (!moves) expect_same_counts(file, other, what);
+        if (!moves) expect_same_counts(counts, counts_of(other), what);
     }
 }
 
