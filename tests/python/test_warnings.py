@@ -95,7 +95,8 @@ def test_every_door_warns_of_coincident_objects_and_lines(use):
 ], ids=["render", "renderer", "components", "item_buffer", "cast_rays", "differences", "study",
         "hidden", "polygons"])
 def test_every_door_warns_of_a_scene_without_objects(use):
-    with pytest.warns(UserWarning, match="^the scene has nothing to draw; expected an object$") as found:
+    empty = "^the scene has nothing to draw; expected an object$"
+    with pytest.warns(UserWarning, match=empty) as found:
         use(gw.Scene(), {"width": 16, "height": 12})
     assert len(found) == 1
 
