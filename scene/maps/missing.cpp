@@ -19,11 +19,9 @@ struct Missing {
 };
 
 std::string text_of(const Missing& m) {
+    const std::string what = m.first + ": no such file; expected a picture file, so it is left out";
     const std::size_t others = m.files.size() - 1;
-    return m.first + ": no such file; expected a picture file, so it " +
-           (others == 0   ? "is left out"
-            : others == 1 ? "and another are left out"
-                          : "and " + std::to_string(others) + " others are left out");
+    return others == 0 ? what : what + ", beside " + std::to_string(others) + " more";
 }
 
 }  // namespace
@@ -49,8 +47,7 @@ void leave_out_missing(Scene& scene, Warnings& warnings) {
                 return true;
             });
         });
-    for (const Missing& m : all)
-        warnings.add(m.origin.file, m.origin.line, "missing picture", text_of(m));
+    for (const Missing& m : all) warnings.add(m.origin.file, m.origin.line, "picture", text_of(m));
 }
 
 }  // namespace gw::scene

@@ -91,11 +91,10 @@ std::string turned_slivers(const Scene& scene, const View& view, int subpixel_bi
             if (end - begin < 3) continue;
             if (vertices.empty()) vertices = window_vertices(object, view, units);
             if (has_turned(all.subspan(begin, end - begin), vertices, units))
-                return "object '" + printable(object.name) + "': of a polygon with " +
+                return "object '" + printable(object.name) + "' has a polygon with " +
                        std::to_string(end - begin + 2) +
-                       " corners, some lie on a line to a sub-pixel unit, so pixels there may have "
-                       "the colour of its back; expected fewer corners on a line, or a renderer by "
-                       "rays";
+                       " corners, so many on a line that pixels there may have the colour of its "
+                       "back; expected fewer on a line, or a renderer by rays";
         }
     }
     return {};

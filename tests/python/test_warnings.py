@@ -107,7 +107,7 @@ def test_a_model_is_drawn_without_a_picture_that_is_missing(tmp_path):
     (tmp_path / "m.obj").write_text(
         "mtllib m.mtl\nusemtl wood\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n")
     with pytest.warns(UserWarning, match=r"m.mtl:4: map_Kd .*gone.png: no such file; expected a "
-                      "picture file, so it and another are left out$") as found:
+                      "picture file, so it is left out, beside 1 more$") as found:
         scene = gw.Scene.open(tmp_path / "m.obj")
     assert len(found) == 1
     red = gw.render(scene, 32, 24).color.max(axis=(0, 1))

@@ -33,7 +33,7 @@ TEST(MissingPictures, AreLeftOutWithOneWarningOfEachFile) {
                                    "a.mtl:3: map_Kd wood.png: no such file; expected a picture "
                                    "file, so it is left out",
                                    "b.mtl:7: map_Kd leaf.png: no such file; expected a picture "
-                                   "file, so it and 2 others are left out"}));
+                                   "file, so it is left out, beside 2 more"}));
     for (const Material& m : scene.materials)
         EXPECT_TRUE(m.map_Kd.empty() && m.map_Ks.empty() && m.map_d.empty() && m.refl.empty());
 }

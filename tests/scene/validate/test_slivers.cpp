@@ -32,9 +32,8 @@ std::string named(const Scene& scene, int bits) {
 
 TEST(TurnedSlivers, AreThoseOfManyCornersOnALine) {
     EXPECT_EQ(named(outline(50), vgx_bits),
-              "object 'plate': of a polygon with 200 corners, some lie on a line to a sub-pixel "
-              "unit, so pixels there may have the colour of its back; expected fewer corners on a "
-              "line, or a renderer by rays");
+              "object 'plate' has a polygon with 200 corners, so many on a line that pixels there "
+              "may have the colour of its back; expected fewer on a line, or a renderer by rays");
     EXPECT_EQ(named(outline(1), vgx_bits), "");
     EXPECT_EQ(named(outline(2), vgx_bits), "");
 }

@@ -13,12 +13,9 @@ const { messageIn } = await import('../../words/message');
 
 /** Texts that nobody reads: by which warnings are counted, and parts of texts. */
 const unread = new Set([
-  ...['and another are left out', 'and {} others are left out'],
   ...['item buffer', 'light range', 'metal map', 'no texcoords', 'opacity without st', 'map again'],
   ...[
     'texels of {}',
-    'missing picture',
-    'is left out',
     'vertex colours',
     'shadow map',
     'its camera is',

@@ -83,10 +83,6 @@ a readable file | 読めるファイル
 a PNG or JPEG picture | PNG か JPEG の画像
 {0} is not here | '{0}' がありません
 it beside the scene | シーンと同じフォルダーにあること
-{0}: no such file | '{0}' というファイルがありません
-a picture file, so it is left out | 画像ファイル（使わずに描きます）
-a picture file, so it and another are left out | 画像ファイル（ほかの 1 つとともに、使わずに描きます）
-a picture file, so it and {0} others are left out | 画像ファイル（ほかの {0} つとともに、使わずに描きます）
 the scene has nothing to draw; expected an object | シーンに描くものがありません。必要なもの：物体
 has nothing to draw | 描くものがありません
 f, l or p statements | f、l、p の文
