@@ -55,7 +55,7 @@ HWY_INLINE void copy_lane(const ColorBlock& from, int lane, ColorBlock& to) {
 /// Values at outer centres: planes are limited.
 class OuterCenters {
 public:
-    static constexpr bool limits = true;
+    static constexpr bool are_limited = true;
 
     OuterCenters(const BatchPlanes& planes, std::size_t) : draw_(planes.draw) {}
     HWY_INLINE std::int64_t value(const TilePlane& p, const PlaneLimits& limits, int i, int j,
@@ -73,7 +73,7 @@ private:
 /// Values at the first covered samples.
 class FirstSamples {
 public:
-    static constexpr bool limits = false;
+    static constexpr bool are_limited = false;
 
     FirstSamples(const BatchPlanes& planes, std::size_t i)
         : draw_(planes.draw),
@@ -185,7 +185,7 @@ private:
         return !p.sliver && std::abs(p.gx) < limit && std::abs(p.gy) < limit;
     }
     HWY_INLINE bool serve(const ColorPlanes& p) const {
-        if (!Places::limits) return primitive_.kind == MeshKind::Triangles;
+        if (!Places::are_limited) return primitive_.kind == MeshKind::Triangles;
         bool flat = is_flat_enough(p.q);
         for (std::size_t c = 0; c < 4; ++c)
             flat = flat && (p.low[c] == p.high[c] || is_flat_enough(p.color[c]));
@@ -206,7 +206,7 @@ private:
     }
     HWY_INLINE bool serve_textures() const {
         bool all = true;
-        for (std::size_t unit = 0; Places::limits && unit < max_texture_units; ++unit)
+        for (std::size_t unit = 0; Places::are_limited && unit < max_texture_units; ++unit)
             all = all && (!is_on(unit) || serve(of_unit(texture_, unit)));
         return all;
     }
@@ -224,7 +224,7 @@ private:
         for (std::size_t c = 0; c < 4; ++c) {
             if (color_.low[c] == color_.high[c]) continue;
             std::int64_t v = places.value(color_.color[c], color_.limits[c], i, j, lane);
-            if (Places::limits) v = std::min(v, q);
+            if (Places::are_limited) v = std::min(v, q);
             out[c] = static_cast<std::uint16_t>(std::clamp<std::int64_t>(
                 static_cast<std::int64_t>(std::nearbyint((static_cast<float>(v) * w) * one)),
                 color_.low[c], color_.high[c]));
@@ -250,7 +250,7 @@ private:
             const auto value = [&](const TexturePlane& p) {
                 const std::int64_t v = places.value(p.plane, p.limits, i, j, lane);
                 return static_cast<std::int32_t>(
-                    Places::limits && !is_projective(unit) ? std::min(v, q) : v);
+                    Places::are_limited && !is_projective(unit) ? std::min(v, q) : v);
             };
             to.q[lane] = static_cast<std::int32_t>(q);
             to.s[lane] = value(from.s);
