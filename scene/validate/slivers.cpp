@@ -1,5 +1,6 @@
 #include "scene/validate/slivers.h"
 
+#include "gw/base/powers.h"
 #include "scene/text/suggest.h"
 
 #include <glm/common.hpp>
@@ -13,8 +14,8 @@
 namespace gw::scene {
 namespace {
 
-/// A vertex in sub-pixel units of the window, and snapped (R6.21). Not seen: at the eye's plane, behind it, or far
-/// outside the window.
+/// A vertex in sub-pixel units of the window, and snapped (R6.21). Not seen: at the eye's plane,
+/// behind it, or far outside the window.
 struct WindowVertex {
     dvec2 exact{0}, snapped{0};
     bool is_seen = false;
@@ -81,7 +82,7 @@ bool has_turned(std::span<const Triangle> triangles, const std::vector<WindowVer
 }  // namespace
 
 std::string turned_slivers(const Scene& scene, const View& view, int subpixel_bits) {
-    const double units = std::exp2(subpixel_bits);
+    const double units = power_of_two(subpixel_bits);
     for (const Object& object : scene.objects) {
         if (object.mesh->data().primitive != Primitive::Polygons) continue;
         const std::span<const Triangle> all = object.mesh->triangles();
