@@ -46,7 +46,7 @@ TEST_F(BadInput, MtlWithFileAndLine) {
     expect_refused(1, {"render", "bad.obj", "-o", "a.png"}, {"bad.mtl:2: ", "expected"});
 }
 
-TEST_F(BadInput, MaterialsThatNoFileHasAreWarnedOf) {
+TEST_F(BadInput, MaterialsAndPicturesThatNoFileHasAreWarnedOf) {
     const auto err_of_drawing = [&] {
         const Outcome drawn = gw({"render", "bad.obj", "--size", "8x8", "-o", "a.png"});
         EXPECT_EQ(drawn.code, 0) << drawn.err;
@@ -60,16 +60,17 @@ TEST_F(BadInput, MaterialsThatNoFileHasAreWarnedOf) {
     write("bad.obj", "mtllib missing.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
     EXPECT_NE(err_of_drawing().find("line 1: mtllib 'missing.mtl' does not exist"),
               std::string::npos);
+    write("bad.obj", "mtllib bad.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
+    write("bad.mtl", "newmtl red\nmap_Kd missing.png\n");
+    EXPECT_NE(err_of_drawing().find("missing.png"), std::string::npos);
 }
 
 TEST_F(BadInput, TextureNamesTheLineThatAsks) {
     write("bad.obj", "mtllib bad.mtl\nusemtl red\n" + bytes_of(in("quad.obj")));
-    write("bad.mtl", "newmtl red\nKd 1 0 0\nmap_Kd missing.png\n");
+    write("bad.mtl", "newmtl red\nKd 1 0 0\nmap_Kd broken.png\n");
+    write("broken.png", "no picture");
     expect_refused(1, {"render", "bad.obj", "-o", "a.png"},
-                   {"bad.mtl:3: map_Kd missing.png: ", "expected a picture file"});
-    write("missing.png", "no picture");
-    expect_refused(1, {"render", "bad.obj", "-o", "a.png"},
-                   {"bad.mtl:3: map_Kd missing.png: ", "expected a picture file"});
+                   {"bad.mtl:3: map_Kd broken.png: ", "expected a picture file"});
     write("bad.toml",
           "[[object]]\nfile = \"quad.obj\"\n[object.material]\nmap_Ks = \"nowhere.png\"\n");
     expect_refused(1, {"render", "bad.toml", "-o", "a.png"},
