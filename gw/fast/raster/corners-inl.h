@@ -49,6 +49,7 @@ HWY_INLINE void gather_positions(const TileDraw& draw, std::span<const std::uint
     jitter.x += shift.x;
     jitter.y += shift.y;
     t.s = draw.profile->subpixel_bits;
+    t.smooth = draw.op->state.state.polygon_smooth;
     t.count = std::min(ordinals.size(), batch_capacity);
     t.filled = t.count <= batch_capacity / 2 ? batch_capacity / 2 : batch_capacity;
     for (std::size_t i = 0; i < t.filled; ++i) {
@@ -142,7 +143,7 @@ struct PlaneBatch {
     alignas(64) std::int64_t c[batch_capacity];  ///< the same at the tile, modulo 2^64
     alignas(64) std::int64_t gx[batch_capacity], gy[batch_capacity];
     std::uint32_t sure = 0;  ///< lanes whose plane is set
-    /// of the values at the corners, if set_limits() was called
+    /// of the values at the corners, of smooth primitives
     alignas(64) std::int32_t low[batch_capacity], high[batch_capacity];
 
     HWY_INLINE PlaneLimits limits(std::size_t i) const { return {low[i], high[i]}; }

@@ -51,6 +51,7 @@ inline constexpr std::size_t batch_capacity = 16;
 struct Corners {
     std::size_t count = 0, filled = batch_capacity;
     int s = 3;
+    bool smooth = false;  ///< antialiased: planes need limits (R9.28)
     std::uint32_t ordinal[batch_capacity];
     const SetupPrimitive* primitive[batch_capacity];
     alignas(64) std::int32_t x[3][batch_capacity], y[3][batch_capacity];  ///< jittered

@@ -95,12 +95,12 @@ HWY_INLINE std::uint32_t finite_lanes(const Vertices3& v) {
     return bits_of(d, finite, hn::Lanes(d));
 }
 
-/// Planes, and their limits.
+/// Planes, and their limits if they need them.
 HWY_INLINE void planes_through(const Corners& t, const double (&value)[3][batch_capacity],
                                PlaneBatch& out) {
     const auto at = [&](std::size_t k, std::size_t i) { return hn::Load(D64(), value[k] + i); };
     set_up_planes(t, at, out);
-    set_limits(t, at, out);
+    if (t.smooth) set_limits(t, at, out);
 }
 
 HWY_NOINLINE inline void make_ratios(const TileDraw& draw, const Corners& t, RatioBatch& out) {
@@ -179,26 +179,26 @@ struct UnitBatch {
     const TextureState& state;
     const UnitOp& unit;
     std::size_t number;
+    bool has_slopes = needs_rho(state), has_plane_slopes = has_slopes && unit.texels->texels.with_r,
+         has_r = state.shadow_compare || unit.texels->texels.with_r;
 
-    HWY_INLINE bool has_slopes() const { return needs_rho(state); }
-    HWY_INLINE bool has_plane_slopes() const { return has_slopes() && unit.texels->texels.with_r; }
-    HWY_INLINE void put(const CoordinateBatch& c, std::size_t i, const PlaneBatch& q,
-                        TexturePlane& out) const {
+    HWY_INLINE void put(const Corners& t, const CoordinateBatch& c, std::size_t i,
+                        const PlaneBatch& q, TexturePlane& out) const {
         put_plane(c.plane, i, out.plane);
         out.exponent = int(c.exponent[i]);
         out.k = std::int32_t(c.k[i]);
-        out.limits = c.plane.limits(i);
+        if (t.smooth) out.limits = c.plane.limits(i);
         out.slope = {};
-        if (has_slopes()) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
-        if (has_plane_slopes()) out.plane_slope = slope_of(c.plane, i);
+        if (has_slopes) out.slope = coordinate_slope(slope_of(c.plane, i), slope_of(q, i));
+        if (has_plane_slopes) out.plane_slope = slope_of(c.plane, i);
     }
     /// The planes of triangle i but for s, t and r.
     HWY_INLINE void put(const TileDraw& draw, const Corners& t, std::size_t i, const PlaneBatch& q,
                         TexturePlanes& out) const {
         put_plane(q, i, out.q);
-        out.q_limits = q.limits(i);
-        out.has_limits = true;
-        if (has_plane_slopes()) out.q_slope = slope_of(q, i);
+        out.has_limits = t.smooth;
+        if (t.smooth) out.q_limits = q.limits(i);
+        if (has_plane_slopes) out.q_slope = slope_of(q, i);
         out.slope_x = draw.tile.x - t.to_x[i];
         out.slope_y = draw.tile.y - t.to_y[i];
     }
@@ -221,9 +221,9 @@ HWY_NOINLINE inline std::uint32_t set_up_perspective(const TileDraw& draw, const
     for (std::size_t i = 0; i < t.count; ++i) {
         TexturePlanes& planes = unit.of(out, i);
         unit.put(draw, t, i, q, planes);
-        unit.put(u, i, q, planes.s);
-        unit.put(v, i, q, planes.t);
-        planes.r = {};
+        unit.put(t, u, i, q, planes.s);
+        unit.put(t, v, i, q, planes.t);
+        if (unit.has_r) planes.r = {};
     }
     return shared.sure() & u.plane.sure & v.plane.sure & u.finite & v.finite;
 }
@@ -320,9 +320,9 @@ HWY_NOINLINE inline std::uint32_t set_up_projective(const TileDraw& draw, const 
     for (std::size_t i = 0; i < t.count; ++i) {
         TexturePlanes& planes = unit.of(out, i);
         unit.put(draw, t, i, q, planes);
-        unit.put(c[0], i, q, planes.s);
-        unit.put(c[1], i, q, planes.t);
-        unit.put(c[2], i, q, planes.r);
+        unit.put(t, c[0], i, q, planes.s);
+        unit.put(t, c[1], i, q, planes.t);
+        unit.put(t, c[2], i, q, planes.r);
     }
     return sure;
 }

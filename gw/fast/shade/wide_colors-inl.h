@@ -90,7 +90,7 @@ HWY_INLINE std::uint32_t perspective_channels(const TileDraw& draw, const Corner
         channel_numerators(t, colors, c, ratio, draw.op->state.bits, plane);
         for (std::size_t i = 0; i < t.count; ++i) {
             put_plane(plane, i, out[i].color[c]);
-            out[i].limits[c] = plane.limits(i);
+            if (t.smooth) out[i].limits[c] = plane.limits(i);
         }
         sure &= plane.sure;
     }
@@ -139,8 +139,8 @@ HWY_INLINE std::uint32_t put_denominators(const TileDraw& draw, const Corners& t
     for (std::size_t i = 0; i < t.count; ++i) {
         out[i].perspective = perspective;
         put_plane(shared.q, i, out[i].q);
-        out[i].q_limits = shared.q.limits(i);
-        out[i].has_limits = true;
+        out[i].has_limits = t.smooth;
+        if (t.smooth) out[i].q_limits = shared.q.limits(i);
     }
     return shared.sure();
 }
