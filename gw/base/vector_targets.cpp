@@ -1,13 +1,18 @@
 // The vector instructions that this processor has, as Highway asks for them when it chooses among
 // kernels. Its shared library, which answers that too, measures clocks for 4 ms whenever a program
-// starts. The names are not exported: a program may have that library besides.
+// starts. The names are not exported: a program may have that library besides. What it includes
+// comes first, because the standard library's names are not hidden.
+#include <atomic>
+#include <cstdarg>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
 #pragma GCC visibility push(hidden)
 #include <hwy/targets.h>
 #pragma GCC visibility pop
-
-#include <cstdarg>
-#include <cstdio>
-#include <cstdlib>
 
 #if HWY_ARCH_X86
 #include <cpuid.h>
