@@ -57,7 +57,8 @@ void make_video(const std::filesystem::path& video, const std::filesystem::path&
     const auto [first, last] = first_last;
     const std::filesystem::path& written =
         output.temporary().empty() ? output.real_target() : output.temporary();
-    // Most players want 4:2:0, which needs even sides. It ends with this process.
+    // Most players want 4:2:0, which needs even sides. It ends with this process. Without -xerror it
+    // succeeds on a full disk.
     const LimitedRun run = run_limited({"setpriv",
                                         "--pdeathsig",
                                         "KILL",
@@ -65,6 +66,7 @@ void make_video(const std::filesystem::path& video, const std::filesystem::path&
                                         "-nostdin",
                                         "-v",
                                         "error",
+                                        "-xerror",
                                         "-y",
                                         "-framerate",
                                         fmt::format("{}", rate),

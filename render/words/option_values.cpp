@@ -58,8 +58,7 @@ std::pair<int, int> range_from(const std::string& option, const std::string& wor
     const auto last =
         dash < word.size() ? parse<int>(std::string_view(word).substr(dash + 1)) : first;
     if (!first || !last || *first < low || *last < *first || *last > high)
-        throw OptionError(option, word,
-                          fmt::format("A-B, such as {}-{}, both {}..{}", low, high, low, high));
+        throw OptionError(option, word, fmt::format("A-B, A at most B, both {}..{}", low, high));
     return {*first, *last};
 }
 

@@ -177,6 +177,17 @@ TEST_F(VideoOfFilm, ThatFfmpegCannotMakeIsNotThere) {
     EXPECT_TRUE(std::filesystem::exists(in("a%_003.png")));
 }
 
+/// ffmpeg prints that it cannot write, but its code is 0 unless it has -xerror.
+TEST_F(VideoOfFilm, ThatTheDiskCannotHoldIsAnError) {
+    install(
+        "case \" $* \" in *\" -xerror \"*) code=1;; *) code=0;; esac\n"
+        "echo No space left on device >&2\nexit $code\n");
+    const Outcome outcome = film("a.gif");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("ffmpeg ended with code 1: No space left"), outcome.err.npos);
+    EXPECT_FALSE(std::filesystem::exists(in("a.gif")));
+}
+
 TEST_F(VideoOfFilm, IsRefusedBeforeWorkIfItCannotBeMade) {
     ::setenv("PATH", in("bin").c_str(), 1);
     expect_refused(1, {"render", "film.toml", "-o", "a.png", "--film", "1", "--video", "a.mp4"},
@@ -235,7 +246,8 @@ TEST_F(FilmCommand, RefusesWhatIsNoFilm) {
     refused({"film.toml", "-o", "a.png", "--film", "1", "--animation", "walk"}, 1,
             "film.toml: has no animation 'walk'; expected 0");
     refused({"film.toml", "-o", "a.png", "--animation", "walk"}, 2, "without --film");
-    refused({"film.toml", "-o", "a.png", "--film", "2-1"}, 2, "--film '2-1': expected A-B");
+    refused({"film.toml", "-o", "a.png", "--film", "2-1"}, 2,
+            "--film '2-1': expected A-B, A at most B");
     refused({"film.toml", "-o", "a.png", "--shutter", "1"}, 2, "without --film");
     refused({"film.toml", "-o", "a.png", "--film", "1", "--turntable", "2"}, 2,
             "--film with --turntable");
