@@ -114,7 +114,7 @@ void copy_attributes(Context& to, const Context& from, GLbitfield mask) {
         save_enables(saved, copied);
         restore_enables(to.state, saved);
     }
-    to.translated.changed = true;
+    to.translated.stale = all_state_parts;
     if (!(mask & GL_TEXTURE_BIT)) return;
     for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
         for (std::size_t i = 0; i < texture_target_count; ++i) {

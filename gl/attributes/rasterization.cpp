@@ -49,7 +49,7 @@ void cull_face(Context& context, GLenum mode) {
 void polygon_stipple(Context& context, const Stipple& pattern) {
     auto& field = context.state.polygon_stipple.pattern;
     if (field && *field == pattern) return;
-    begin_change(context);
+    begin_change_of(context, &field);
     field = std::make_shared<const Stipple>(pattern);
 }
 

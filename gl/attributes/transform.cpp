@@ -17,13 +17,22 @@ namespace gw::gl {
 
 namespace {
 
+/// The machine's state has no modelview matrix: its draws do.
+StateParts parts_of_matrix(const Context& context) {
+    switch (context.state.transform.matrix_mode) {
+        case GL_PROJECTION: return transform_part;
+        case GL_TEXTURE: return texture_part;
+    }
+    return no_state_part;
+}
+
 /// Matrices hold floats: what GetFloatv hands out, LoadMatrixf brings back to the bit. What was
 /// assembled is drawn with the old one, if the bits differ.
 void set_matrix(Context& context, const dmat4& m) {
     dmat4& top = context.matrices.current(context.state).top();
     const dmat4 rounded{glm::mat4(m)};
     if (std::memcmp(&top, &rounded, sizeof top) == 0) return;
-    begin_change(context);
+    begin_change(context, parts_of_matrix(context));
     top = rounded;
 }
 void multiply(Context& context, const dmat4& m) {
@@ -145,7 +154,8 @@ void push_matrix(Context& context) {
 void pop_matrix(Context& context) {
     MatrixStack& stack = context.matrices.current(context.state);
     if (stack.entries.size() == 1) return set_error(context, GL_STACK_UNDERFLOW);
-    if (stack.top() != stack.entries[stack.entries.size() - 2]) begin_change(context);
+    if (stack.top() != stack.entries[stack.entries.size() - 2])
+        begin_change(context, parts_of_matrix(context));
     stack.entries.pop_back();
 }
 

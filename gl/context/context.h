@@ -15,6 +15,7 @@
 #include "gl/state/matrices.h"
 #include "gl/state/selection.h"
 #include "gl/state/state.h"
+#include "gl/state/state_parts.h"
 #include "gl/state/texture_objects.h"
 #include "gw/command_list.h"
 #include "gw/profile.h"
@@ -52,10 +53,10 @@ struct SavedAttributes {
 };
 inline constexpr std::size_t attribute_stack_depth = 16;
 
-/// The machine's state and lights that follow from GL's, kept until a group changes.
+/// The machine's state and lights that follow from GL's, kept until a part changes.
 struct TranslatedState {
-    bool changed = true;
-    gw::State state;
+    StateParts stale = all_state_parts;
+    SharedValue<gw::State> state;  ///< with the commands that set it
     LightsRef lights;
 };
 

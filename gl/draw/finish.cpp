@@ -56,7 +56,7 @@ void make_current(Context* context, Drawable* draw, Drawable* read) {
     context->read_window = read;
     context->drawable = nullptr;  // leave() has ended the query in the former one
     choose_drawables(*context);
-    context->translated.changed = true;
+    context->translated.stale = all_state_parts;
     if (draw == nullptr || context->has_been_current) return;
     context->has_been_current = true;
     if (draw->is_double_buffered()) begin_with_back_buffers(*context);

@@ -4,10 +4,8 @@
 #include "gl/context/context.h"
 #include "gl/draw/targets.h"
 
-#include "gw/base/elementary.h"
 #include "gw/describe/opengl.h"
 #include "gw/stages/resolve.h"
-#include "gw/stages/vertex.h"
 
 #include <algorithm>
 #include <array>
@@ -55,11 +53,14 @@ void set_transform(gw::State& out, const Context& context) {
     if (context.profile.extensions.clip_control)
         out.clip_control = {word<ClipOrigin>(s.transform.clip_origin),
                             word<ClipDepth>(s.transform.clip_depth_mode)};
-    if (is_finite(context.matrices.projection.top()))
-        out.projection = with_room_for_rounding(context.matrices.projection.top(),
-                                                out.clip_control.depth == ClipDepth::ZeroToOne);
+    const dmat4& projection = context.matrices.projection.top();
+    out.projection =
+        is_finite(projection)
+            ? with_room_for_rounding(projection, out.clip_control.depth == ClipDepth::ZeroToOne)
+            : gw::State{}.projection;
     // [GL12] 2.10.3: rescaling may make each normal's length 1.
     out.normalize = s.transform.normalize || s.transform.rescale_normal;
+    out.viewport = {};
     if (!is_empty(s.viewport))
         out.viewport = {s.viewport.x, s.viewport.y, s.viewport.width, s.viewport.height};
     out.depth_range = {s.viewport.near_value, s.viewport.far_value};
@@ -113,8 +114,9 @@ void set_rasterization(gw::State& out, const State& s, const Extensions& has) {
     out.two_side_polygon_mode = p.front_mode != p.back_mode && has.two_sided_polygon_mode;
     if (has.stipple) {
         out.line_stipple = {s.line.stipple, s.line.stipple_factor, s.line.stipple_pattern};
-        if (p.stipple) out.polygon_stipple.pattern = s.polygon_stipple.pattern;
+        out.polygon_stipple.pattern = p.stipple ? s.polygon_stipple.pattern : nullptr;
     }
+    out.polygon_offset = {};
     if (has.polygon_offset && (p.offset_fill || p.offset_line || p.offset_point))
         out.polygon_offset = {p.offset_fill, p.offset_factor, p.offset_units, p.offset_line,
                               p.offset_point};
@@ -206,6 +208,8 @@ void set_texture(gw::TextureState& out, const Context& context, std::size_t unit
 
 /// Feedback and the raster position have texture coordinates without a texture too.
 void set_textures(gw::State& out, const Context& context) {
+    out.texture = {};
+    out.more_textures = {};
     set_texture_coordinates(out.texture, context, 0);
     set_texture(out.texture, context, 0);
     if (!context.state.texture.uses_further_units()) return;
@@ -227,8 +231,9 @@ void set_fog(gw::State& out, const FogState& s, const Extensions& has) {
     if (s.start == s.end)  // the limit of ever shorter ranges
         out.fog.start = std::nextafter(s.end, -std::numeric_limits<float>::infinity());
     out.fog.color = s.color;
-    if (has.fog_coordinate && s.coordinate_source == GL_FOG_COORDINATE)
-        out.fog.source = FogSource::Coordinate;
+    out.fog.source = has.fog_coordinate && s.coordinate_source == GL_FOG_COORDINATE
+                         ? FogSource::Coordinate
+                         : FogSource::Depth;
     out.color_sum = has.secondary_color && s.color_sum;
 }
 
@@ -262,22 +267,6 @@ void set_fragments(gw::State& out, const State& s, const Extensions& has) {
     if (has.logic_op) out.logic_op = {b.logic_op, word<gw::LogicOp>(b.logic_op_mode)};
     out.color_mask = {b.mask[0], b.mask[1], b.mask[2], b.mask[3]};
     out.color_mask_bits = {b.mask_bits[0], b.mask_bits[1], b.mask_bits[2], b.mask_bits[3]};
-}
-
-vec3 rgb(const vec4& c) { return {c.x, c.y, c.z}; }
-
-/// cos of an angle in degrees, 0 .. 90 or 180.
-float cutoff_cosine(float degrees) {
-    return degrees == 180 ? -1.0f : float(cos_degrees(double(degrees)));
-}
-
-/// [GL11] 2.13.1: the spot factor of a directional light, the same at every vertex. The machine's
-/// directional lights have none, so it is a factor of their colours.
-float directional_spot(const LightState& s) {
-    if (s.position.w != 0 || s.spot_cutoff == 180) return 1;
-    const double c = -dot3(normalized(dvec3(s.position)), normalized(dvec3(s.spot_direction)));
-    if (c < double(cutoff_cosine(s.spot_cutoff)) || c <= 0) return 0;
-    return float(gw::pow(std::min(c, 1.0), double(s.spot_exponent)));
 }
 
 /// [GL11] table 4.4, without right and auxiliary buffers.
@@ -314,9 +303,12 @@ void set_attachments(gw::State& out, const Context& context) {
 
 void set_buffers(gw::State& out, const Context& context) {
     const MultisampleState& m = context.state.multisample;
+    out.multisample = {};
     if (draw_samples(context) > 0)
         out.multisample = {m.multisample, m.alpha_to_coverage, m.alpha_to_one,
                            m.coverage,    m.coverage_value,    m.coverage_invert};
+    out.draw_buffer = DrawBuffer::Front;
+    out.read_buffer = gw::ReadBuffer::Front;
     if (context.framebuffers.draw) return set_attachments(out, context);
     const GLenum draw = context.state.color_buffer.draw_buffer,
                  read = context.state.pixel.read_buffer;
@@ -331,17 +323,21 @@ void set_buffers(gw::State& out, const Context& context) {
 
 }  // namespace
 
-gw::State machine_state(const Context& context) {
-    gw::State out;
-    set_transform(out, context);
-    set_lighting(out, context.state.lighting, context.profile.extensions);
-    set_sizes(out, context.state, context.profile);
-    set_rasterization(out, context.state, context.profile.extensions);
-    set_textures(out, context);
-    set_fog(out, context.state.fog, context.profile.extensions);
-    set_fragments(out, context.state, context.profile.extensions);
-    set_buffers(out, context);
-    return out;
+void translate_state(const Context& context, StateParts parts, gw::State& out) {
+    const State& from = context.state;
+    const Extensions& has = context.profile.extensions;
+    if ((parts & transform_part) != 0) set_transform(out, context);
+    if ((parts & lighting_part) != 0) set_lighting(out, from.lighting, has);
+    if ((parts & shape_part) != 0) {
+        set_sizes(out, from, context.profile);
+        set_rasterization(out, from, has);
+    }
+    if ((parts & texture_part) != 0) set_textures(out, context);
+    if ((parts & fog_part) != 0) set_fog(out, from.fog, has);
+    if ((parts & fragment_part) != 0) {
+        set_fragments(out, from, has);
+        set_buffers(out, context);
+    }
 }
 
 double window_depth(double z, const gw::State& state) {
@@ -361,35 +357,6 @@ gw::MoreTextures further_coordinates(const Context& context) {
     for (std::size_t unit = 1; unit < texture_unit_count; ++unit)
         set_texture_coordinates(units[unit - 1], context, unit);
     return {std::make_shared<const decltype(units)>(units)};
-}
-
-LightsRef machine_lights(const LightingState& lighting) {
-    if (!lighting.enable) return nullptr;
-    auto lights = std::make_shared<std::vector<gw::Light>>();
-    for (const LightState& s : lighting.lights) {
-        if (!s.enable) continue;
-        const float spot = directional_spot(s);
-        lights->push_back({.position = s.position,
-                           .Ia = spot * rgb(s.ambient),
-                           .Id = spot * rgb(s.diffuse),
-                           .Is = spot * rgb(s.specular),
-                           .spot_direction = s.spot_direction,
-                           .spot_exponent = s.spot_exponent,
-                           .spot_cos_cutoff = cutoff_cosine(s.spot_cutoff),
-                           .constant_attenuation = s.constant_attenuation,
-                           .linear_attenuation = s.linear_attenuation,
-                           .quadratic_attenuation = s.quadratic_attenuation});
-    }
-    return lights->empty() ? nullptr : lights;
-}
-
-gw::Material machine_material(const MaterialState& m) {
-    return {.Ka = rgb(m.ambient),
-            .Kd = rgb(m.diffuse),
-            .Ks = rgb(m.specular),
-            .Ke = rgb(m.emission),
-            .Ns = m.shininess,
-            .alpha = m.diffuse.w};
 }
 
 }  // namespace gw::gl

@@ -4,6 +4,7 @@
 
 #include "gl/state/matrices.h"
 #include "gl/state/state.h"
+#include "gl/state/state_parts.h"
 #include "gl/state/texture_objects.h"
 #include "gw/command_list.h"
 #include "gw/profile.h"
@@ -12,8 +13,9 @@ namespace gw::gl {
 
 struct Context;
 
-/// Texture coordinates are scaled for the machine; in feedback they stay OpenGL's.
-gw::State machine_state(const Context& context);
+/// Makes parts of the machine's state anew. Texture coordinates are scaled for the machine; in
+/// feedback they stay OpenGL's.
+void translate_state(const Context& context, StateParts parts, gw::State& out);
 
 /// The depth 0 .. 1 of z / w.
 double window_depth(double z, const gw::State& state);

@@ -35,9 +35,13 @@ bool is_drawable(const Context& context) {
 
 }  // namespace
 
-void begin_change(Context& context) {
+void begin_change(Context& context, StateParts parts) {
     flush_mesh(context);
-    context.translated.changed = true;
+    context.translated.stale = context.translated.stale | parts;
+}
+
+void begin_change_of(Context& context, const void* field) {
+    begin_change(context, parts_of(context.state, field));
 }
 
 FaceMaterials face_materials(const Context& context) {
@@ -46,10 +50,11 @@ FaceMaterials face_materials(const Context& context) {
 }
 
 void update_machine_state(Context& context) {
-    if (!context.translated.changed) return;
-    context.translated.state = machine_state(context);
-    context.translated.lights = machine_lights(context.state.lighting);
-    context.translated.changed = false;
+    TranslatedState& t = context.translated;
+    if (t.stale == no_state_part) return;
+    translate_state(context, t.stale, t.state.edit());
+    if ((t.stale & lighting_part) != 0) t.lights = machine_lights(context.state.lighting);
+    t.stale = no_state_part;
 }
 
 TextureRef enabled_texture(Context& context, std::size_t unit) {

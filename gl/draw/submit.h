@@ -3,6 +3,7 @@
 
 #include "gl/assemble/assembly.h"
 #include "gl/drawable/call_trace.h"
+#include "gl/state/state_parts.h"
 #include "gw/command_list.h"
 
 #include <span>
@@ -16,14 +17,17 @@ struct Context;
 /// pixels calls it first.
 void flush_mesh(Context& context);
 
-/// Before a change of the state: flushes the mesh, and notes the change.
-void begin_change(Context& context);
+/// Before a change of the state: flushes the mesh, and notes the parts that change.
+void begin_change(Context& context, StateParts parts = all_state_parts);
+
+/// The same before a change of one field of the state.
+void begin_change_of(Context& context, const void* field);
 
 /// Flushes the mesh, then assigns a value of the state.
 template <class T, class V>
 void change(Context& context, T& field, const V& value) {
     if (field == T(value)) return;
-    begin_change(context);
+    begin_change_of(context, &field);
     field = T(value);
 }
 

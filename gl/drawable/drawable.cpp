@@ -187,14 +187,14 @@ void Drawable::end_recolored_frame() {
     end_frame();
 }
 
-void Drawable::set_state(const gw::State& state, std::span<const CallRun> calls) {
+void Drawable::set_state(const SharedValue<gw::State>& state, std::span<const CallRun> calls) {
     const auto lock = exclusive();
-    const bool to_front = has_back_plane() ? state.draw_buffer == DrawBuffer::Front ||
-                                                 state.draw_buffer == DrawBuffer::FrontAndBack
+    const bool to_front = has_back_plane() ? state->draw_buffer == DrawBuffer::Front ||
+                                                 state->draw_buffer == DrawBuffer::FrontAndBack
                                            : !is_double_buffered();
     front_changed_ |= to_front;
     front_drawn_ |= to_front;
-    if (frame_.state() == nullptr || *frame_.state() != state) add(SetState{state}, calls);
+    if (!frame_.finds_state(state)) add(SetState{state}, calls);
 }
 
 void Drawable::settle() {

@@ -69,7 +69,7 @@ public:
     /// Adds a command to the frame, and the calls that made it; a state only if it differs from the
     /// frame's last one.
     void add(Command command, std::span<const CallRun> calls = {});
-    void set_state(const gw::State& state, std::span<const CallRun> calls = {});
+    void set_state(const SharedValue<gw::State>& state, std::span<const CallRun> calls = {});
 
     /// Adds to the memory that the frame's commands keep: textures made for it.
     void hold(std::size_t bytes);

@@ -29,6 +29,13 @@ public:
     /// The state after the commands so far; null: none has set one.
     const gw::State* state() const { return last_state_ ? &**last_state_ : nullptr; }
 
+    /// Whether the commands that follow find this state already.
+    bool finds_state(const SharedValue<gw::State>& state) {
+        if (last_state_ != state) return false;
+        last_state_ = state;  // one object: compared by its address from now on
+        return true;
+    }
+
     /// Begins its pass, "frame 12", as the first command does.
     void begin();
     /// The state that a command finds.

@@ -161,15 +161,15 @@ Command plain(const gw::DrawPixels& pixels) {
 class Untested {
 public:
     explicit Untested(Context& context) : context_(context), before_(context.state) {
-        begin_change(context);
+        begin_change(context, fragment_part);
         context.state.stencil.test = context.state.color_buffer.alpha_test = false;
         context.state.color_buffer.mask.fill(false);
         context.state.depth.test = true;
         context.state.depth.func = GL_ALWAYS;
     }
     ~Untested() {
+        begin_change(context_, fragment_part);
         context_.state = before_;
-        context_.translated.changed = true;
     }
     Untested(const Untested&) = delete;
     Untested& operator=(const Untested&) = delete;

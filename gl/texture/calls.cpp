@@ -44,7 +44,7 @@ template <class T>
 void set_part(Context& context, std::size_t target, T TextureParameters::*which, T value) {
     TextureObject& object = bound_texture(context, target);
     if (object.parameters.*which == value) return;
-    begin_change(context);
+    begin_change(context, texture_part);
     const auto lock = context.shared->exclusive();
     TextureParameters all = object.parameters;
     all.*which = value;
@@ -94,7 +94,7 @@ void unbind(Context& context, GLuint name) {
         for (std::size_t target = 0; target < texture_target_count; ++target) {
             GLuint& bound = context.state.texture.units[unit].bound[target];
             if (bound != name) continue;
-            begin_change(context);
+            begin_change(context, texture_part);
             bound = 0;
             context.textures.bound[unit][target] = context.textures.initial[target];
         }
@@ -164,7 +164,7 @@ void bind_texture(Context& context, GLenum target, GLuint texture) {
     auto& bound = context.textures.bound[context.state.texture.active][*index];
     // Another context may have changed the object; binding it makes that visible.
     if (object == bound && texture == name && context.shared.use_count() == 1) return;
-    begin_change(context);
+    begin_change(context, texture_part);
     name = texture;
     bound = std::move(object);
 }

@@ -81,7 +81,7 @@ void raster_pos(Context& context, double x, double y, double z, double w) {
         in_texels = context.translated.state;
         in_texels->texture.matrix = context.matrices.texture[0].top();
     }
-    const gw::State& state = in_texels ? *in_texels : context.translated.state;
+    const gw::State& state = in_texels ? *in_texels : *context.translated.state;
     const AssembledVertex values = current_vertex(context.state.current);
     MeshData point{.positions = {vec3(x, y, z)}, .w = {float(w)}};
     point.primitive = Primitive::Points;

@@ -297,7 +297,7 @@ TEST(GlTextureUnits, ThoseThatAreOffCostNothing) {
     glEnd();
     EXPECT_TRUE(window.context.assembler.mesh.further_texcoords.empty());
     flush_mesh(window.context);
-    EXPECT_EQ(window.context.translated.state.more_textures.units, nullptr);
+    EXPECT_EQ(window.context.translated.state->more_textures.units, nullptr);
     EXPECT_EQ(further_textures(window.context), nullptr);
 }
 
