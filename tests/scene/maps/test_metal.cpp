@@ -1,5 +1,5 @@
 // Claims: where a map says metal, a surface is drawn as a metal by factor is, elsewhere as a dielectric;
-// all of it with the map's mean roughness. The formulas are written anew, in the library's functions.
+// all of it with the map's mean roughness, weighted by F0. The formulas are written anew, in the library's functions.
 #include "scene/maps/finish.h"
 #include "scene/maps/physical.h"
 
@@ -61,36 +61,80 @@ vec3 at(const vec3& word, const std::vector<Map>& map, std::size_t texel) {
 }  // namespace
 
 TEST(MetalMap, TexelsAreMetalOrADielectric) {
-    Scene scene =
-        surface({0.5, 0.25, 0.1}, 0.8, {{0, 1, 0}, {0, 0.5, 1}, {0, 0.75, 0.5}, {0, 0.75, 0}});
+    const dvec3 base(0.5, 0.25, 0.1);
+    Scene scene = surface(base, 0.8, {{0, 1, 0}, {0, 0.5, 1}, {0, 0.75, 0.5}, {0, 0.75, 0}});
     EXPECT_TRUE(finished(scene).empty());
     const Material& m = scene.materials[0];
-    EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 0), srgb(0.5), srgb(0.25), srgb(0.1));
-    // Roughness 0.8 * 0.75 = 0.6: a highlight F0 / (4 r^4) high.
-    const double r = 0.6, peak = 1 / (4 * std::pow(r, 4)), d = 0.04 * peak;
-    const double half = srgb(1 - 0.5);  // what 0.5 of metal leaves, to a step of 255
+    // Roughness 0.8, 0.4, 0.6, 0.6, each as often as its F0 in red says.
+    const double r =
+        (0.04 * 0.8 + 0.5 * 0.4 + 0.27 * 0.6 + 0.04 * 0.6) / (0.04 + 0.5 + 0.27 + 0.04);
+    const double d = 0.04 / (4 * std::pow(r, 4));  // a highlight F0 / (4 r^4) high
     for (int k = 0; k < 3; ++k) {
-        const double b = dvec3(0.5, 0.25, 0.1)[k];
-        const double on_diffuse = srgb(b + d) - srgb(b), of_metal = srgb(b * peak);
+        const double b = base[k], of_metal = srgb(b / 0.5);  // beyond white it keeps its hue
+        EXPECT_NEAR(at(m.Ka, m.map_Ka, 0)[k], srgb(b + 0.04), 1e-4);
         EXPECT_NEAR(at(m.Kd, m.map_Kd, 0)[k], srgb(b), 1e-4);
-        EXPECT_NEAR(at(m.Ks, m.map_Ks, 0)[k], on_diffuse, 1e-4);
+        EXPECT_NEAR(at(m.Ks, m.map_Ks, 0)[k], srgb(b + d) - srgb(b), 1e-4);
+        EXPECT_NEAR(at(m.Ka, m.map_Ka, 1)[k], srgb(b), 1e-4);
         EXPECT_NEAR(at(m.Kd, m.map_Kd, 1)[k], metal_Kd(of_metal, r), 1e-4);
         EXPECT_NEAR(at(m.Ks, m.map_Ks, 1)[k], metal_Ks(of_metal, r), 1e-4);
-        EXPECT_NEAR(at(m.Kd, m.map_Kd, 2)[k], srgb(b) * half + metal_Kd(of_metal, r) / 2, 0.003);
     }
+    Material half;
+    set_words({.base = base, .metallic = 0.5, .roughness = r}, half);
+    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 2), half.Kd.x, half.Kd.y, half.Kd.z);
+    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 2), half.Ks.x, half.Ks.y, half.Ks.z);
     EXPECT_TRUE(m.map_metal.empty());
 }
 
-TEST(MetalMap, TheColoursOfTexelsMultiplyKdAndTheHighlightOfMetal) {
+TEST(MetalMap, TheColoursOfTexelsAreThoseOfItsMetal) {
     Scene scene = surface(dvec3(0.5), 1, {{0, 0.5, 0}, {0, 0.5, 1}});
-    scene.materials[0].map_Kd = {map_of({{0.5, 1, 0}, {0.5, 1, 0}})};
+    scene.materials[0].map_Kd = {map_of({{0.4, 1, 0}, {0.4, 1, 0}})};
     EXPECT_TRUE(finished(scene).empty());
     const Material& m = scene.materials[0];
-    EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 1), srgb(0.5) / 2, srgb(0.5), 0);
-    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 0), srgb(0.5) / 2, srgb(0.5), 0);
-    const double r = 0.5;  // 0.5 / (4 r^4) is beyond white
-    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 1), metal_Kd(0.5, r), metal_Kd(1, r), 0);
-    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 1), metal_Ks(0.5, r), metal_Ks(1, r), 0);
+    const double red = 0.5 * decoded(dvec3(0.4)).x;
+    EXPECT_NEAR_3(at(m.Ka, m.map_Ka, 1), srgb(red), srgb(0.5), 0);
+    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 0), srgb(red), srgb(0.5), 0);
+    const double r = 0.5, hue = srgb(red / 0.5);  // 0.5 / (4 r^4) is beyond white
+    EXPECT_NEAR_3(at(m.Kd, m.map_Kd, 1), metal_Kd(hue, r), metal_Kd(1, r), 0);
+    EXPECT_NEAR_3(at(m.Ks, m.map_Ks, 1), metal_Ks(hue, r), metal_Ks(1, r), 0);
+}
+
+/// A white factor has no highlight that could be seen, and the rough part is no mirror.
+TEST(MetalMap, GoldBesideARoughDielectricShinesAsGold) {
+    Scene scene = surface(dvec3(1), 1, {{0, 0.4, 1}, {0, 1, 0}, {0, 1, 0}, {0, 1, 0}});
+    const Texel gold{1, 0.9, 0.5}, dark{0, 0, 0};
+    scene.materials[0].map_Kd = {map_of({gold, dark, dark, dark})};
+    EXPECT_TRUE(finished(scene).empty());
+    Material alone;
+    set_words({.base = decoded(dvec3(1, 0.9, 0.5)), .metallic = 1, .roughness = 0.4}, alone);
+    EXPECT_NEAR(scene.materials[0].Ns, alone.Ns, 0.3 * alone.Ns);
+    const vec3 Ks = at(scene.materials[0].Ks, scene.materials[0].map_Ks, 0);
+    EXPECT_NEAR(Ks.x, alone.Ks.x, 0.05);
+    EXPECT_NEAR(Ks.z, alone.Ks.z, 0.05);
+    EXPECT_GT(at(scene.materials[0].Ks, scene.materials[0].map_Ks, 1).x, 0.2);
+}
+
+TEST(MetalMap, BothModelsOfOneSurfaceAreDrawnAlike) {
+    Scene metal = surface(dvec3(1), 1, {{0, 0.4, 1}, {0, 0.8, 0}});
+    metal.materials[0].map_Kd = {map_of({{1, 0.9, 0.5}, {0, 0, 0}})};
+    Scene gloss = surface(dvec3(0), 0, {{0, 0, 0}});
+    const auto u16 = [](double v) { return std::uint16_t(std::lround(v * 65535)); };
+    const std::uint16_t dark = u16(srgb(0.04));
+    gloss.materials[0].map_metal[0].texture =
+        make_texture("texels", 2, 1,
+                     std::vector<std::uint16_t>{0xFFFF, u16(0.9), u16(0.5), u16(0.6), dark, dark,
+                                                dark, u16(0.2)});
+    gloss.materials[0].physical = std::make_shared<const Physical>(
+        Physical{.base = dvec3(0), .F0 = dvec3(1), .metallic = 0, .roughness = 0});
+    EXPECT_TRUE(finished(metal).empty());
+    EXPECT_TRUE(finished(gloss).empty());
+    const Material &a = metal.materials[0], &b = gloss.materials[0];
+    EXPECT_NEAR(a.Ns, b.Ns, 0.02 * a.Ns);
+    for (const std::size_t i : {0u, 1u})
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_NEAR(at(a.Ka, a.map_Ka, i)[k], at(b.Ka, b.map_Ka, i)[k], 0.01);
+            EXPECT_NEAR(at(a.Kd, a.map_Kd, i)[k], at(b.Kd, b.map_Kd, i)[k], 0.01);
+            EXPECT_NEAR(at(a.Ks, a.map_Ks, i)[k], at(b.Ks, b.map_Ks, i)[k], 0.01);
+        }
 }
 
 TEST(MetalMap, AnEvenMapIsTheMaterialByFactor) {
@@ -114,7 +158,7 @@ TEST(MetalMap, AMapThatLiesInAnotherWayHasItsMeans) {
                   "than its colours; expected the same, so it is drawn with its means"}));
     // A quarter of metal, roughness 0.5.
     const double diffuse = 0.5 * 0.75, peak = (0.04 * 0.75 + 0.5 * 0.25) * 4;
-    EXPECT_NEAR(scene.materials[0].Kd.x,
+    EXPECT_NEAR(at(scene.materials[0].Kd, scene.materials[0].map_Kd, 0).x,
                 srgb(diffuse) + metal_Kd(srgb(diffuse + peak) - srgb(diffuse), 0.5) / 4, 1e-4);
 }
 
@@ -132,12 +176,12 @@ Scene glossy(const dvec3& diffuse, const dvec3& F0) {
     return scene;
 }
 
-/// The mean of 0.5 and 1 of the glossiness 0.8.
-constexpr double glossy_roughness = 1 - 0.8 * 0.75;
+/// Half of the glossiness 0.8: the other texel reflects nothing.
+constexpr double glossy_roughness = 1 - 0.8 * 0.5;
 
 }  // namespace
 
-/// Each texel is the surface by factors, with the mean glossiness.
+/// Each texel is the surface by factors, with the glossiness of what reflects.
 TEST(SpecularGlossinessMap, IsTheSurfaceOfEachTexel) {
     Scene scene = glossy({0.5, 0.25, 0}, {1, 0.75, 0.25});
     scene.materials[0].map_Kd = {map_of({{0.4, 1, 0}, {0.4, 1, 0}})};
@@ -184,7 +228,8 @@ TEST(SpecularGlossinessMap, ThatLiesInAnotherWayHasItsMeans) {
 
 TEST(MetalMap, OfAnotherSetOfCoordinatesIsItsMeans) {
     Scene scene = surface({0.5, 0.25, 0.1}, 1, {{0, 1, 0}, {0, 0.5, 1}});
-    Scene even = surface({0.5, 0.25, 0.1}, 1, {{0, 0.75, 0.5}});
+    const double r = (0.04 * 1 + 0.5 * 0.5) / (0.04 + 0.5);
+    Scene even = surface({0.5, 0.25, 0.1}, 1, {{0, r, 0.5}});
     scene.materials[0].map_metal[0].is_mean = true;
     EXPECT_TRUE(finished(scene).empty());
     EXPECT_TRUE(finished(even).empty());
