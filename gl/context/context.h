@@ -56,7 +56,9 @@ inline constexpr std::size_t attribute_stack_depth = 16;
 /// The machine's state and lights that follow from GL's, kept until a part changes.
 struct TranslatedState {
     StateParts stale = all_state_parts;
-    SharedValue<gw::State> state;  ///< with the commands that set it
+    std::uint64_t changes = 1;        ///< so far
+    std::uint64_t runs_drawn_at = 0;  ///< `changes` at the last small runs of a list
+    SharedValue<gw::State> state;     ///< with the commands that set it
     LightsRef lights;
 };
 

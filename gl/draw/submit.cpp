@@ -38,6 +38,7 @@ bool is_drawable(const Context& context) {
 void begin_change(Context& context, StateParts parts) {
     flush_mesh(context);
     context.translated.stale = context.translated.stale | parts;
+    ++context.translated.changes;
 }
 
 void begin_change_of(Context& context, const void* field) {

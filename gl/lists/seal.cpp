@@ -21,8 +21,10 @@ public:
 private:
     using Position = DisplayList::Position;
 
-    /// Smaller groups are played, and become part of larger meshes.
+    /// Groups of fewer vertices are small.
     static constexpr std::size_t fewest_vertices = 32;
+    /// Further ones are always played: a sealed group takes a kilobyte.
+    static constexpr int most_small_groups = 64;
 
     /// The values of the call at this place if it is one of `execute`; else null.
     template <auto execute>
@@ -54,6 +56,7 @@ private:
     GivenValues given_;
     std::optional<GivenValues> given_to_all_;  ///< at the first vertex
     std::size_t vertices_ = 0;
+    int small_groups_ = 0;
     bool inside_ = false;
 };
 
@@ -164,7 +167,8 @@ void Sealer::add_step(const Position& begin, const Position& end, std::uint32_t 
 }
 
 void Sealer::end_group(const Position& p) {
-    if (inside_ || vertices_ < fewest_vertices)
+    runs_->is_small = vertices_ < fewest_vertices;
+    if (inside_ || vertices_ == 0 || (runs_->is_small && ++small_groups_ > most_small_groups))
         return add_step(group_begin_, p, group_first_, nullptr);
     std::erase_if(runs_->parts, [](const auto& part) { return part.assembly.empty(); });
     runs_->given = *given_to_all_;

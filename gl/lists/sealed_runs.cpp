@@ -67,9 +67,16 @@ std::vector<CallRun> played_calls(const Context& context, const SealedRuns::Part
     return calls;
 }
 
+/// Whether vertices before small runs, or after them, may share a mesh with theirs.
+bool can_be_joined(const Context& context) {
+    return !context.assembler.mesh.empty() ||
+           context.translated.runs_drawn_at == context.translated.changes;
+}
+
 }  // namespace
 
 bool draw_runs(Context& context, SealedRuns& runs) {
+    if (runs.is_small && can_be_joined(context)) return false;
     if (context.assembler.inside || !is_draw_complete(context) ||
         (runs.has_line_strips &&
          (context.state.line.stipple || context.selection.mode == GL_FEEDBACK)) ||
@@ -94,6 +101,7 @@ bool draw_runs(Context& context, SealedRuns& runs) {
                          common_further(context, runs, part), materials),
                played_calls(context, part));
     set_current(context.state.current, runs);
+    if (runs.is_small) context.translated.runs_drawn_at = context.translated.changes;
     return true;
 }
 

@@ -37,11 +37,13 @@ struct SealedRuns {
     AssembledVertex last;
     FurtherTexcoords last_further;
     bool has_line_strips = false;
+    bool is_small = false;
 };
 
 /// Draws the runs and sets the current values. Returns false, and does nothing, if the runs depend
 /// on the state. They do so between Begin and End, as line strips with a stipple or in feedback,
-/// and under an edge flag of false.
+/// and under an edge flag of false. Nor does it draw small runs that larger meshes can take up: the
+/// state has not changed since the last small ones.
 bool draw_runs(Context& context, SealedRuns& runs);
 
 }  // namespace gw::gl

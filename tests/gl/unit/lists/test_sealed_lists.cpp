@@ -1,4 +1,5 @@
-// Large lists, whose runs are assembled once, under every state that their meshes depend on.
+// Lists whose runs are assembled once, under every state that their meshes depend on.
+#include "gl/drawable/frame_log.h"
 #include "tests/gl/unit/support/picture.h"
 #include "tests/gl/unit/support/snapshot.h"
 
@@ -10,11 +11,11 @@ namespace {
 /// The values that a list gives: bits of these.
 enum Gives : unsigned { Colors = 1, Normals = 2, Texcoords = 4, EdgeFlags = 8 };
 
-/// 48 vertices.
-void runs(GLenum mode, unsigned gives) {
+/// Two runs of so many vertices.
+void runs(GLenum mode, unsigned gives, int count = 24) {
     for (int run = 0; run < 2; ++run) {
         glBegin(mode);
-        for (int i = 0; i < 24; ++i) {
+        for (int i = 0; i < count; ++i) {
             const float a = float(i) * 0.9f, r = 3 + float(i) / 2;
             if (gives & Colors) glColor4f(float(i % 3) / 2, float(i % 5) / 4, float(run), 0.75f);
             if (gives & Normals) glNormal3f(std::cos(a), std::sin(a), 0.5f);
@@ -108,6 +109,23 @@ auto by_list(Draw draw) {
     };
 }
 
+/// Counts the machine's draws.
+class DrawLog : public FrameLog {
+public:
+    explicit DrawLog(int& draws) : draws_(draws) {}
+    void open(Drawable&) override {}
+    void begin_frame(Drawable&) override {}
+    void executed(Drawable&, const Execution& execution) override {
+        for (const Command& command : execution.list.commands)
+            draws_ += std::holds_alternative<Draw>(command) ? 1 : 0;
+    }
+    void end_frame(Drawable&) override {}
+    void close(Drawable&) override {}
+
+private:
+    int& draws_;
+};
+
 }  // namespace
 
 TEST(GlSealedLists, DrawWhatImmediateModeDrawsUnderEveryState) {
@@ -115,13 +133,42 @@ TEST(GlSealedLists, DrawWhatImmediateModeDrawsUnderEveryState) {
     for (unsigned on = 0; on < 1u << state_bits; ++on)
         for (GLenum mode = on % 5; mode <= GL_POLYGON; mode += 5) {
             gives = (gives + 7) % 16;
-            const Outcome immediate = drawn_often(on, [&] { runs(mode, gives); });
-            const Outcome played = drawn_often(on, by_list([&] { runs(mode, gives); }));
-            ASSERT_EQ(immediate.picture, played.picture)
-                << "mode " << mode << ", state " << on << ", gives " << gives;
-            ASSERT_EQ(changes(immediate.state, played.state), std::vector<std::string>{})
-                << "mode " << mode << ", state " << on << ", gives " << gives;
+            for (const int count : {24, 6}) {  // small runs, too
+                const auto draw = [&] { runs(mode, gives, count); };
+                const Outcome immediate = drawn_often(on, draw);
+                const Outcome played = drawn_often(on, by_list(draw));
+                ASSERT_EQ(immediate.picture, played.picture)
+                    << "mode " << mode << ", state " << on << ", gives " << gives;
+                ASSERT_EQ(changes(immediate.state, played.state), std::vector<std::string>{})
+                    << "mode " << mode << ", state " << on << ", gives " << gives;
+            }
         }
+}
+
+TEST(GlSealedLists, SmallRunsAreJoinedUnlessTheStateChanges) {
+    const auto draws = [](auto change) {
+        int count = 0;
+        set_frame_log(std::make_unique<DrawLog>(count));
+        {
+            const Window window;
+            glNewList(1, GL_COMPILE);
+            runs(GL_TRIANGLES, 0, 3);
+            glEndList();
+            for (int i = 0; i < 100; ++i) {
+                change(i);
+                glCallList(1);
+            }
+            glFinish();
+        }
+        set_frame_log(nullptr);
+        return count;
+    };
+    EXPECT_EQ(draws([](int) { glTranslatef(0.125f, 0, 0); }), 100);
+    EXPECT_EQ(draws([](int i) { glColor3f(float(i) / 100, 1, 0); }), 2);
+    EXPECT_EQ(draws([](int i) {
+                  if (i == 50) glTranslatef(0.125f, 0, 0);
+              }),
+              4);
 }
 
 TEST(GlSealedLists, ShareTheCornersOfNeighboursUnderEveryState) {
