@@ -1,6 +1,7 @@
 #include "apps/view/viewed_scene.h"
 
 #include "apps/picture/scene_warnings.h"
+#include "scene/validate/slivers.h"
 
 namespace gw::apps {
 
@@ -13,10 +14,15 @@ ViewedScene load_viewed_scene(const PictureOptions& options, const std::filesyst
     ViewedScene viewed{
         .file = picture.scene, .passes = input.passes, .origin = input.origin, .folder = folder};
     viewed.scene = ready_scene(picture, std::move(input));
-    if (!picture.quiet) print_warnings_of(viewed.scene, picture.size, scene::DrawnBy::Passes);
     viewed.has_default_light = has_no_light && viewed.scene.lights.size() == 1;
     for (const Profile& profile : profiles()) viewed.profiles[profile.name] = profile;
-    viewed.profiles[picture.profile] = load_profile(picture, session);
+    const Profile& profile = viewed.profiles[picture.profile] = load_profile(picture, session);
+    if (!picture.quiet) {
+        print_warnings_of(viewed.scene, picture.size, scene::DrawnBy::Passes);
+        const scene::View view =
+            scene::make_view(viewed.scene, picture.size.width, picture.size.height);
+        print_warnings({scene::turned_slivers(viewed.scene, view, profile.subpixel_bits)});
+    }
     viewed.inputs = session.inputs;
     return viewed;
 }
