@@ -35,6 +35,8 @@ enum class OpacityChannel {
     Blue,
 };
 
+struct PatchedLookup;
+
 /// A map: its file, the place that names it, how it is looked up, and (after image::load_textures)
 /// its texels.
 struct Map {
@@ -55,6 +57,9 @@ struct Map {
     OpacityChannel channel = OpacityChannel::Alpha;  ///< of map_d
     /// The mean of its texels stands for it: its coordinates are of a set that the mesh lacks.
     bool is_mean = false;
+    /// It lies on its mesh in another way than by the mesh's coordinates: maps/finish.h makes a texture
+    /// of these patches.
+    std::shared_ptr<const PatchedLookup> patched;
 };
 
 struct Physical;

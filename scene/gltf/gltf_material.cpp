@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace gw::scene {
 namespace {
@@ -44,6 +45,7 @@ public:
         physical_.alpha *= double(tint.color.w);
         read_alpha();
         warn_left_out();
+        if (has_many_sets_) out_.other.reset();
         physical_.base *= dvec3(vec3(tint.color));
         if (tint.texture) out_.material.map_Kd.push_back(color_map(tint, document_.file()));
         set_words(physical_, out_.material);
@@ -160,25 +162,31 @@ private:
         const auto transform =
             extensions ? extensions->find("KHR_texture_transform") : std::nullopt;
         const auto other = transform ? transform->find("texCoord") : std::nullopt;
-        choose_set(other ? other : info.find("texCoord"), map, name);
-        if (transform && !map.is_mean) read_transform(*transform, map);
-        has_maps_ = true;
+        CoordinateSet* const set = choose_set(other ? other : info.find("texCoord"), name);
+        map.is_mean = set != &out_.own;
+        if (transform && set) read_transform(*transform, map, *set);
+        if (set) used_.insert(set->index);
         list.push_back(std::move(map));
     }
 
-    /// A mesh has one set of coordinates: that of the first map.
-    void choose_set(const std::optional<JsonValue>& value, Map& map, const std::string& name) {
+    /// The first map's or a second one; null, with a warning, if there are more.
+    CoordinateSet* choose_set(const std::optional<JsonValue>& value, const std::string& name) {
         const std::size_t set = value ? value->whole(0, 100) : 0;
-        if (!has_maps_) out_.texcoord_set = set;
-        map.is_mean = set != out_.texcoord_set;
-        if (map.is_mean)
-            warn("texCoord", "its " + name + " has texCoord " + std::to_string(set) +
-                                 " beside textures with " + std::to_string(out_.texcoord_set) +
-                                 "; expected one for all, so it is drawn with its mean");
+        if (used_.empty()) out_.own.index = set;
+        if (set == out_.own.index) return &out_.own;
+        if (!out_.other) out_.other = CoordinateSet{set, std::nullopt};
+        if (set == out_.other->index) return &*out_.other;
+        warn("texCoord", "its " + name + " has texCoord " + std::to_string(set) +
+                             " beside textures with " + std::to_string(out_.own.index) + " and " +
+                             std::to_string(out_.other->index) +
+                             "; expected at most two, so all but those with the first are drawn "
+                             "with their mean");
+        has_many_sets_ = true;
+        return nullptr;
     }
 
-    /// A Map has no rotation: the mesh is turned, for all maps of the material.
-    void read_transform(const JsonValue& json, Map& map) {
+    /// A Map has no rotation: the mesh is turned, for all maps of one set.
+    void read_transform(const JsonValue& json, Map& map, CoordinateSet& set) {
         TextureTransform transform;
         for (int k = 0; k < 2; ++k) {
             if (const auto s = json.find("scale"))
@@ -187,9 +195,9 @@ private:
                 transform.offset[k] = (*o)[std::size_t(k)].number(placeable);
         }
         transform.rotation = number_of(json.find("rotation"), 0, placeable);
-        if (transform.rotation != 0 && !has_maps_) out_.turn = transform;
-        if (out_.turn && *out_.turn == transform) return;
-        if (out_.turn || transform.rotation != 0)
+        if (transform.rotation != 0 && !used_.contains(set.index)) set.turn = transform;
+        if (set.turn && *set.turn == transform) return;
+        if (set.turn || transform.rotation != 0)
             warn("rotation", "its textures are turned in several ways; all are drawn as the first");
         map.scale = vec2(transform.scale);
         map.offset = vec2(transform.offset.x, 1 - transform.scale.y - transform.offset.y);
@@ -239,7 +247,8 @@ private:
     GltfMaterial out_;
     Physical physical_;
     double strength_ = 1;
-    bool has_maps_ = false;
+    std::set<std::size_t> used_;  ///< sets of coordinates
+    bool has_many_sets_ = false;
 };
 
 }  // namespace

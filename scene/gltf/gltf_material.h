@@ -18,13 +18,19 @@ struct TextureTransform {
     vec2 moved(const vec2& st) const;  ///< t upwards
 };
 
+/// Texture coordinates of a mesh.
+struct CoordinateSet {
+    std::size_t index = 0;
+    std::optional<TextureTransform> turn;  ///< if the maps are turned
+};
+
 struct GltfMaterial {
     Material material;
-    std::size_t texcoord_set = 0;  ///< of its maps
-    dvec3 luminance{0};            ///< that it emits, linear, in nit
+    CoordinateSet own;  ///< of its first map
+    /// of others; those are Map::is_mean until the mesh has patches
+    std::optional<CoordinateSet> other;
+    dvec3 luminance{0};  ///< that it emits, linear, in nit
     bool double_sided = false;
-    /// of the texture coordinates of meshes, if its maps are turned
-    std::optional<TextureTransform> turn;
 };
 
 /// What vertex colours make of a material.

@@ -66,7 +66,7 @@ public:
           attributes_(primitive.at("attributes")),
           name_(name) {}
 
-    GltfMesh read(std::size_t texcoord_set) {
+    GltfMesh read(const CoordinateSet& own, const std::optional<CoordinateSet>& other) {
         const auto mode_value = primitive_.find("mode");
         const std::size_t mode = mode_value ? mode_value->whole(0, Fan) : Triangles;
         MeshData& mesh = out_.mesh;
@@ -75,7 +75,8 @@ public:
         if (const auto normals = attributes_.find("NORMAL"))
             mesh.normals = read_vectors(*normals, mesh.positions.size());
         check_normals(mesh.normals);
-        read_texcoords(mesh, texcoord_set);
+        mesh.texcoords = read_texcoords(own);
+        if (other) out_.other_texcoords = read_texcoords(*other);
         read_colors();
         read_targets();
         read_influences();
@@ -103,13 +104,17 @@ private:
         return vectors;
     }
 
-    void read_texcoords(MeshData& mesh, std::size_t set) {
-        const auto value = attributes_.find("TEXCOORD_" + std::to_string(set));
-        if (!value) return;
+    std::vector<vec2> read_texcoords(const CoordinateSet& set) {
+        std::vector<vec2> texcoords;
+        const auto value = attributes_.find("TEXCOORD_" + std::to_string(set.index));
+        if (!value) return texcoords;
         const Elements<float> st = read_floats(document_, *value, {"VEC2"});
-        expect_count(*value, st.count(), mesh.positions.size());
-        for (std::size_t i = 0; i < st.count(); ++i)
-            mesh.texcoords.emplace_back(st[i][0], 1 - st[i][1]);
+        expect_count(*value, st.count(), out_.mesh.positions.size());
+        for (std::size_t i = 0; i < st.count(); ++i) {
+            const vec2 upwards(st[i][0], 1 - st[i][1]);
+            texcoords.push_back(set.turn ? set.turn->moved(upwards) : upwards);
+        }
+        return texcoords;
     }
 
     void check_normals(std::vector<vec3>& normals) {
@@ -219,8 +224,9 @@ private:
 }  // namespace
 
 GltfMesh read_primitive(const GltfDocument& document, const JsonValue& primitive,
-                        std::size_t texcoord_set, const std::string& name) {
-    return PrimitiveReader(document, primitive, name).read(texcoord_set);
+                        const CoordinateSet& own, const std::optional<CoordinateSet>& other,
+                        const std::string& name) {
+    return PrimitiveReader(document, primitive, name).read(own, other);
 }
 
 std::size_t numbers_of_primitive(const GltfDocument& document, const JsonValue& primitive) {

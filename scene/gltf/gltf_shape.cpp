@@ -3,6 +3,8 @@
 #include "gw/base/arithmetic.h"
 #include "scene/geometry/transform.h"
 #include "scene/gltf/gltf_material.h"
+#include "scene/maps/map_lists.h"
+#include "scene/maps/patches.h"
 
 #include <glm/common.hpp>
 
@@ -32,25 +34,9 @@ std::array<std::uint32_t, 3> triangle_of(const MeshData& mesh, std::size_t i) {
 
 constexpr std::size_t most_patches = std::size_t{1} << 18;
 
-/// Squares of texels, side by side, one for each triangle. The corners of a triangle are the middles of
-/// three corner texels, so a bilinear filter reads no other patch.
-struct Patches {
-    std::size_t side, columns, rows;
-
-    explicit Patches(std::size_t triangles) : side(triangles <= 1024 ? 8 : 4), columns(1), rows(1) {
-        while (columns * columns < triangles) columns *= 2;
-        while (columns * rows < triangles) rows *= 2;
-    }
-    std::size_t width() const { return columns * side; }
-    std::size_t height() const { return rows * side; }
-    /// Of corner 0, 1 or 2.
-    vec2 st(std::size_t triangle, std::size_t corner) const {
-        const double last = double(side) - 1;
-        const double s = double(triangle % columns * side) + 0.5 + (corner == 1 ? last : 0);
-        const double t = double(triangle / columns * side) + 0.5 + (corner == 2 ? last : 0);
-        return {float(s / double(width())), float(t / double(height()))};
-    }
-};
+Patches color_patches(std::size_t triangles) {
+    return {triangles, std::size_t(triangles <= 1024 ? 8 : 4)};
+}
 
 /// Triangles of nearly one colour.
 struct ColorGroup {
@@ -104,6 +90,7 @@ GltfMesh part_of(const GltfMesh& whole, const std::vector<std::uint32_t>& corner
     part.mesh = {.positions = picked(whole.mesh.positions),
                  .normals = picked(whole.mesh.normals),
                  .texcoords = picked(whole.mesh.texcoords)};
+    part.other_texcoords = picked(whole.other_texcoords);
     part.mesh.colors = picked(whole.mesh.colors);
     for (const std::uint32_t corner : corners)
         part.mesh.indices.push_back(
@@ -141,24 +128,18 @@ bool has_color_texture(const GltfMesh& mesh) {
     return !mesh.colors.empty() && triangles > 0 && triangles <= most_patches;
 }
 
-std::size_t color_texels(const GltfMesh& mesh) {
-    const Patches patches(triangle_count(mesh.mesh));
-    return patches.width() * patches.height();
-}
-
 // Colours beyond the third side go on in the triangle's plane, so that its texels are interpolated to
 // its own colours.
 TextureRef color_texture(const GltfMesh& mesh) {
     const std::size_t triangles = triangle_count(mesh.mesh);
-    const Patches patches(triangles);
+    const Patches patches = color_patches(triangles);
     std::vector<std::uint16_t> rgba(4 * patches.width() * patches.height(), 0xFFFF);
     const double last = double(patches.side) - 1;
     for (std::size_t i = 0; i < triangles; ++i) {
         const std::array<std::uint32_t, 3> at = triangle_of(mesh.mesh, i);
         const dvec3 a(vec3(mesh.colors[at[0]])), u = dvec3(vec3(mesh.colors[at[1]])) - a,
                                                  v = dvec3(vec3(mesh.colors[at[2]])) - a;
-        const std::size_t column = i % patches.columns * patches.side,
-                          row = i / patches.columns * patches.side;
+        const std::size_t column = patches.column(i), row = patches.row(i);
         for (std::size_t y = 0; y < patches.side; ++y)
             for (std::size_t x = 0; x < patches.side; ++x) {
                 const dvec3 color = a + u * (double(x) / last) + v * (double(y) / last);
@@ -169,6 +150,32 @@ TextureRef color_texture(const GltfMesh& mesh) {
             }
     }
     return make_texture("vertex colours", int(patches.width()), int(patches.height()), rgba);
+}
+
+std::size_t patch_colors(GltfMesh& mesh) {
+    const Patches patches = color_patches(triangle_count(mesh.mesh));
+    mesh.patch_side = patches.side;
+    return patches.width() * patches.height();
+}
+
+std::size_t patch_maps(GltfMesh& mesh, Material& material, std::size_t texels) {
+    const std::size_t triangles = triangle_count(mesh.mesh);
+    if (triangles == 0 || mesh.mesh.texcoords.empty() || mesh.other_texcoords.empty()) return 0;
+    mesh.patch_side = patch_side(triangles, texels);
+    if (mesh.patch_side == 0) return 0;
+    const Patches patches(triangles, mesh.patch_side);
+    const auto lookup_of = [&](const std::vector<vec2>& st) {
+        PatchedLookup lookup{patches, {}};
+        for (std::size_t i = 0; i < triangles; ++i)
+            for (const std::uint32_t corner : triangle_of(mesh.mesh, i))
+                lookup.st.push_back(st[corner]);
+        return std::make_shared<const PatchedLookup>(std::move(lookup));
+    };
+    const auto own = lookup_of(mesh.mesh.texcoords), other = lookup_of(mesh.other_texcoords);
+    for_each_map_list(material, [&](std::string_view, std::vector<Map>& maps) {
+        for (Map& map : maps) map.patched = std::exchange(map.is_mean, false) ? other : own;
+    });
+    return patches.width() * patches.height();
 }
 
 std::vector<GltfMesh> by_color(GltfMesh mesh) {
@@ -221,8 +228,8 @@ std::optional<MeshData> moved(const GltfMesh& mesh, std::span<const double> weig
 MeshData drawn(const GltfMesh& mesh, MeshData moved) {
     const std::size_t triangles = triangle_count(moved);
     const bool is_flat = moved.normals.empty();
-    if (triangles == 0 || (!is_flat && !mesh.is_patched)) return moved;
-    const Patches patches(triangles);
+    if (triangles == 0 || (!is_flat && mesh.patch_side == 0)) return moved;
+    const Patches patches(triangles, mesh.patch_side);
     MeshData out;
     for (std::size_t i = 0; i < triangles; ++i) {
         const std::array<std::uint32_t, 3> at = triangle_of(moved, i);
@@ -234,7 +241,7 @@ MeshData drawn(const GltfMesh& mesh, MeshData moved) {
             out.positions.push_back(moved.positions[at[k]]);
             out.normals.push_back(is_flat ? normal : moved.normals[at[k]]);
             if (!moved.colors.empty()) out.colors.push_back(moved.colors[at[k]]);
-            if (mesh.is_patched)
+            if (mesh.patch_side > 0)
                 out.texcoords.push_back(patches.st(i, k));
             else if (!moved.texcoords.empty())
                 out.texcoords.push_back(moved.texcoords[at[k]]);

@@ -5,6 +5,7 @@
 #include "gw/mesh.h"
 #include "gw/texture.h"
 #include "scene/gltf/gltf_nodes.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <cstdint>
@@ -32,8 +33,10 @@ struct GltfMesh {
                     ///< if their alphas differ
     /// of the vertex colours; none: there are none
     std::optional<vec4> mean_color;
-    std::vector<vec4> colors;  ///< linear, of each vertex; empty: all are mean_color
-    bool is_patched = false;   ///< texture coordinates are those of color_texture
+    std::vector<vec4> colors;           ///< linear, of each vertex; empty: all are mean_color
+    std::vector<vec2> other_texcoords;  ///< a second set, or none
+    /// above 0: its texture coordinates are those of patches of this side (maps/patches.h)
+    std::size_t patch_side = 0;
     std::vector<MorphTarget> targets;
     std::size_t influences = 0;  ///< of each vertex
     std::vector<Influence>
@@ -46,10 +49,15 @@ std::size_t triangle_count(const MeshData& mesh);
 
 /// Whether its colours can be a texture; else they are drawn as their mean.
 bool has_color_texture(const GltfMesh& mesh);
-/// Texels that this texture takes.
-std::size_t color_texels(const GltfMesh& mesh);
+/// Gives the mesh the coordinates of this texture; how many texels that has.
+std::size_t patch_colors(GltfMesh& mesh);
 /// The vertex colours, with a patch of texels for each triangle, encoded as in sRGB.
 TextureRef color_texture(const GltfMesh& mesh);
+
+/// Gives the mesh patches for maps of both sets of coordinates, and the material's maps these look-ups:
+/// those that are means have the other set. How many texels a map has then: at most `texels`; 0 if it is
+/// left as it was, since it has no triangles, lacks coordinates or would need more.
+std::size_t patch_maps(GltfMesh& mesh, Material& material, std::size_t texels);
 
 /// Meshes of one colour each, at most 64: the mean of their triangles' means, in steps of 1/255. Those
 /// with a corner that differs from it by more than 1/16 keep their colours. The mesh itself if it has no

@@ -197,17 +197,14 @@ private:
         count_numbers(primitive, numbers_of_primitive(document_, primitive));
         const auto material = primitive.find("material");
         const GltfMaterial& plain = material_of(material, std::nullopt);
-        const std::size_t set = plain.texcoord_set;
-        GltfMesh read = read_primitive(document_, primitive, set, name);
+        GltfMesh read = read_primitive(document_, primitive, plain.own, plain.other, name);
         if (read.mesh.positions.empty()) return;
         if (!plain.material.vertex_d) read.mesh.colors.clear();
         const bool has_map = has_maps(plain.material);
         if (has_map && read.mesh.texcoords.empty())
-            document_.warn("no texcoords", "object '" + printable(name) +
-                                               "' has no texture coordinates of set " +
-                                               std::to_string(set) + " for its texture");
-        if (plain.turn)
-            for (vec2& st : read.mesh.texcoords) st = plain.turn->moved(st);
+            document_.warn("no texcoords",
+                           "object '" + printable(name) + "' has no texture coordinates of set " +
+                               std::to_string(plain.own.index) + " for its texture");
         std::vector<GltfMesh> meshes;
         if (has_map || !has_color_texture(read))
             meshes = by_color(std::move(read));
@@ -240,8 +237,7 @@ private:
     const GltfMaterial& painted_material(const JsonValue& primitive,
                                          const std::optional<JsonValue>& material, bool has_map,
                                          GltfMesh& mesh, const std::string& name) {
-        mesh.is_patched = !has_map && has_color_texture(mesh);
-        if (!mesh.is_patched) {
+        if (has_map || !has_color_texture(mesh)) {
             if (!mesh.colors.empty())
                 document_.warn("COLOR_0",
                                "object '" + printable(name) + "': its vertex colours " +
@@ -249,10 +245,29 @@ private:
                                         ? "beside a texture are drawn as means of triangles, in at "
                                           "most 64 colours"
                                         : "are drawn as their mean"));
-            return material_of(material, mesh.mean_color);
+            return patched_material(material_of(material, mesh.mean_color), mesh, name);
         }
-        count_numbers(primitive, color_texels(mesh));
+        count_numbers(primitive, patch_colors(mesh));
         return add_material(material, {vec4(vec3(1), mesh.mean_color->w), color_texture(mesh)});
+    }
+
+    /// If its maps are of two sets of coordinates, a material of the mesh's own.
+    const GltfMaterial& patched_material(const GltfMaterial& plain, GltfMesh& mesh,
+                                         const std::string& name) {
+        if (!plain.other) return plain;
+        GltfMaterial patched = plain;
+        const std::size_t texels = patch_maps(mesh, patched.material, patch_texels_ / 4);
+        if (texels == 0) {
+            document_.warn("texCoord",
+                           "object '" + printable(name) + "': its textures with texCoord " +
+                               std::to_string(plain.other->index) +
+                               " are drawn with their mean: it has not both sets, no triangles, or "
+                               "too many");
+            return plain;
+        }
+        patch_texels_ -= texels;
+        list_.push_back(std::move(patched));
+        return list_.back();
     }
 
     /// Accessors may overlap, so a short file could ask for any amount of memory.
@@ -348,7 +363,8 @@ private:
     std::vector<GltfLight> lights_;
     std::map<std::size_t, dvec3> luminances_;  ///< of materials that emit
     std::size_t numbers_ = 0;
-    std::size_t place_ = 0;  ///< of the node that is being read
+    std::size_t patch_texels_ = std::size_t{1} << 25;  ///< left for maps of two sets
+    std::size_t place_ = 0;                            ///< of the node that is being read
     GltfHolders holders_;
 };
 

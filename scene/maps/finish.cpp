@@ -7,6 +7,7 @@
 #include "scene/maps/metal.h"
 #include "scene/maps/mirrored.h"
 #include "scene/maps/missing.h"
+#include "scene/maps/patches.h"
 #include "scene/text/suggest.h"
 
 #include <algorithm>
@@ -173,6 +174,7 @@ void finish(Scene& scene, Warnings& warnings) {
 
 void finish(Scene& scene, std::vector<Film>& films, Warnings& warnings) {
     leave_out_missing(scene, warnings);
+    resample_patched(scene, warnings);
     choose_opacity_channels(scene);
     apply_metal_maps(scene, warnings);
     replace_by_means(scene);

@@ -1,5 +1,6 @@
 // Claims: alpha modes, vertex alphas, sides, sets of texture coordinates, mirrored and metallic-roughness
 // maps of glTF reach the scene, where maps/finish.h finds them.
+#include "scene/maps/patches.h"
 #include "scene/maps/physical.h"
 #include "tests/scene/folder.h"
 #include "tests/scene/gltf/gltf_text.h"
@@ -117,17 +118,44 @@ TEST_F(GltfSurface, ATextureHasTheSetThatItNames) {
     EXPECT_EQ(set_of(R"(, "texCoord": 5, )" + transform), second_set);
 }
 
-TEST_F(GltfSurface, ATextureOfAnotherSetIsItsMeanWithAWarning) {
+TEST_F(GltfSurface, TexturesOfTwoSetsGetPatchesOfTheirMesh) {
     const Scene s = scene(R"({"name": "lamp", "emissiveFactor": [1, 1, 1],
 "pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}},
 "emissiveTexture": {"index": 0}})");
-    EXPECT_EQ(
-        warnings,
-        (std::vector<std::string>{
-            "m.gltf: material 'lamp': its emissiveTexture has texCoord 0 beside textures with 1; "
-            "expected one for all, so it is drawn with its mean"}));
+    EXPECT_EQ(warnings, std::vector<std::string>{});
+    const Map &Kd = material_of(s).map_Kd.at(0), &Ke = material_of(s).map_Ke.at(0);
+    ASSERT_TRUE(Kd.patched && Ke.patched);
+    EXPECT_EQ(Kd.patched->st, second_set);
+    EXPECT_EQ(Ke.patched->st, first_set);
+    EXPECT_FALSE(Kd.is_mean || Ke.is_mean);
+    const Patches& patches = Kd.patched->patches;
+    EXPECT_EQ(s.objects.at(0).mesh->data().texcoords,
+              (Texcoords{patches.st(0, 0), patches.st(0, 1), patches.st(0, 2)}));
+}
+
+TEST_F(GltfSurface, ATextureOfASetThatTheMeshLacksIsItsMeanWithAWarning) {
+    const Scene s = scene(R"({"name": "lamp", "emissiveFactor": [1, 1, 1],
+"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}},
+"emissiveTexture": {"index": 0, "texCoord": 7}})");
+    EXPECT_EQ(warnings, (std::vector<std::string>{
+                            "m.gltf: object 'leaf': its textures with texCoord 7 are drawn with "
+                            "their mean: it has not both sets, no triangles, or too many"}));
     EXPECT_EQ(s.objects.at(0).mesh->data().texcoords, second_set);
     EXPECT_FALSE(material_of(s).map_Kd.at(0).is_mean);
+    EXPECT_TRUE(material_of(s).map_Ke.at(0).is_mean);
+}
+
+TEST_F(GltfSurface, TexturesOfThreeSetsAreTheirMeansWithAWarning) {
+    const Scene s = scene(R"({"name": "lamp", "emissiveFactor": [1, 1, 1],
+"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1},
+"metallicRoughnessTexture": {"index": 0, "texCoord": 2}}, "emissiveTexture": {"index": 0}})");
+    EXPECT_EQ(warnings,
+              (std::vector<std::string>{
+                  "m.gltf: material 'lamp': its emissiveTexture has texCoord 0 beside textures "
+                  "with 1 and 2; expected at most two, so all but those with the first are drawn "
+                  "with their mean"}));
+    EXPECT_FALSE(material_of(s).map_Kd.at(0).is_mean);
+    EXPECT_TRUE(material_of(s).map_metal.at(0).is_mean);
     EXPECT_TRUE(material_of(s).map_Ke.at(0).is_mean);
 }
 
