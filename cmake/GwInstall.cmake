@@ -92,7 +92,10 @@ endif()
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT command PATTERN Doxyfile
     EXCLUDE)
-install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+install(DIRECTORY examples/autograder DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT command
+    USE_SOURCE_PERMISSIONS)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development
+    PATTERN autograder EXCLUDE)
 foreach(schema inspect/recording/recording.fbs inspect/manifest/values.fbs)
     get_filename_component(folder ${schema} DIRECTORY)
     install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT development)
@@ -114,8 +117,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME gw)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
-# Loaded to play lists on Mesa; keeps students' programs apart.
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6, bubblewrap")
+# Loaded to play lists on Mesa; keeps students' programs apart; the language of the example's.
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6, bubblewrap, python3")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "ffmpeg")  # for gw render --video
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libgw-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

@@ -9,6 +9,7 @@
 #include "apps/programs/results.h"
 #include "gw/base/parallel.h"
 #include "gw/error.h"
+#include "gw/escape_controls.h"
 #include "hiddensurface/faces/flat_colors.h"
 #include "hiddensurface/run/play.h"
 #include "image/write.h"
@@ -19,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <set>
@@ -189,7 +191,8 @@ public:
           const std::vector<Submission>& submissions)
         : options_(options) {
         for (const GradingTask& task : grading.tasks) scenes_.push_back(task.name);
-        for (const Submission& submission : submissions) all_.push_back({submission.name, "", {}});
+        for (const Submission& submission : submissions)
+            all_.push_back({submission.name, "", {}, ""});
     }
 
     fs::path folder_of(std::size_t i) const {
@@ -227,6 +230,17 @@ public:
                                 scene.of, scene.feedback) +
                     (scene.feedback.ends_with('\n') ? "\n" : "\n\n");
         return without_controls(text);
+    }
+    /// It is not the students' fault.
+    void warn_of_lacking_programs() const {
+        std::map<std::string, std::string> names;
+        for (const GradedSubmission& graded : all_)
+            if (!graded.lacks.empty()) names[graded.lacks] += " " + graded.name;
+        for (const auto& [program, students] : names)
+            print_warning(
+                fmt::format("{}: no such program, so these were not run:{}; expected it "
+                            "installed, or a folder by --tools; then --resume runs them",
+                            program, escape_controls(students, "")));
     }
     bool is_all_right() const {
         return std::ranges::all_of(
@@ -272,6 +286,7 @@ int autograde(const AutogradeOptions& options, Session& session) {
                 progress, end);
         });
     }
+    all.warn_of_lacking_programs();
     print(options.form == Form::Json  ? all.json()
           : options.form == Form::Csv ? grades_csv(all.rows())
                                       : all.text());

@@ -158,8 +158,8 @@ GradedScene grade_scene(const Grading& grading, const GradingTask& task, const W
 GradedSubmission grade_submission(const Grading& grading, const Submission& submission,
                                   const fs::path& folder, bool resume, int slot) {
     const Places places(grading.scratch, slot);
-    const WayToRun way = copied(submission, places.files, grading.allowance.disk, grading.command);
-    GradedSubmission graded{submission.name, "", {}};
+    WayToRun way = copied(submission, places.files, grading.allowance.disk, grading.command);
+    GradedSubmission graded{submission.name, "", {}, ""};
     graded.digest = content_of(places.files) + grading.about;
     const fs::path results = folder / "results.json";
     if (resume)
@@ -167,6 +167,11 @@ GradedSubmission grade_submission(const Grading& grading, const Submission& subm
             before->name = submission.name;
             return *before;
         }
+    if (!way.program.empty() && !has_program(grading.allowance, way.program)) {
+        graded.lacks = way.program;
+        graded.digest = "";
+        way.fault = "needs " + way.program + ", which the grading computer does not have";
+    }
     for (const GradingTask& task : grading.tasks) {
         fs::remove_all(folder / task.name);
         graded.scenes.push_back(

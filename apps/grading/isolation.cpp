@@ -11,6 +11,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sstream>
 
 namespace gw::apps {
 namespace {
@@ -141,6 +142,13 @@ std::vector<std::string> confined_words(const Allowance& allowance, const Confin
     append(words, limits_of(allowance));
     append(words, script_of(confined, "/polygons.json", "/submission", "/tmp/work"));
     return words;
+}
+
+bool has_program(const Allowance& allowance, const std::string& name) {
+    std::istringstream path(path_of(allowance));
+    for (std::string folder; std::getline(path, folder, ':');)
+        if (::access((fs::path(folder) / name).c_str(), X_OK) == 0) return true;
+    return false;
 }
 
 void end_leftovers(const Allowance& allowance, int slot) {

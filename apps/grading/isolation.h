@@ -35,6 +35,9 @@ struct Confined {
 /// The words of a program that runs it. As root it becomes user 61000 + slot.
 std::vector<std::string> confined_words(const Allowance& allowance, const Confined& confined);
 
+/// Whether a student's program finds another of this name.
+bool has_program(const Allowance& allowance, const std::string& name);
+
 /// Limits: ends what a program of this slot has left. In namespaces nothing can be left.
 void end_leftovers(const Allowance& allowance, int slot);
 

@@ -23,32 +23,33 @@ namespace fs = std::filesystem;
 
 struct Language {
     const char* extension;
+    const char* program;  ///< that the computer must have
     const char* script;
 };
 constexpr Language languages[] = {
-    {".py", "exec python3 \"$1\" \"$2\""},
-    {".js", "exec node \"$1\" \"$2\""},
-    {".mjs", "exec node \"$1\" \"$2\""},
-    {".c", "cc -O2 -o program \"$1\" -lm && exec ./program \"$2\""},
-    {".cpp", "c++ -std=c++20 -O2 -o program \"$1\" && exec ./program \"$2\""},
-    {".cc", "c++ -std=c++20 -O2 -o program \"$1\" && exec ./program \"$2\""},
-    {".rs", "rustc -O -o program \"$1\" && exec ./program \"$2\""},
-    {".go", "GOCACHE=$PWD/cache exec go run \"$1\" \"$2\""},
-    {".java", "exec java \"$1\" \"$2\""},
-    {".jl", "exec julia \"$1\" \"$2\""},
-    {".R", "exec Rscript \"$1\" \"$2\""},
-    {".rb", "exec ruby \"$1\" \"$2\""},
-    {".pl", "exec perl \"$1\" \"$2\""},
-    {".lua", "exec lua \"$1\" \"$2\""},
-    {".php", "exec php \"$1\" \"$2\""},
-    {".sh", "exec sh \"$1\" \"$2\""},
-    {".jsonl", "exec cat \"$1\""},  // the answer itself
+    {".py", "python3", "exec python3 \"$1\" \"$2\""},
+    {".js", "node", "exec node \"$1\" \"$2\""},
+    {".mjs", "node", "exec node \"$1\" \"$2\""},
+    {".c", "cc", "cc -O2 -o program \"$1\" -lm && exec ./program \"$2\""},
+    {".cpp", "c++", "c++ -std=c++20 -O2 -o program \"$1\" && exec ./program \"$2\""},
+    {".cc", "c++", "c++ -std=c++20 -O2 -o program \"$1\" && exec ./program \"$2\""},
+    {".rs", "rustc", "rustc -O -o program \"$1\" && exec ./program \"$2\""},
+    {".go", "go", "GOCACHE=$PWD/cache exec go run \"$1\" \"$2\""},
+    {".java", "java", "exec java \"$1\" \"$2\""},
+    {".jl", "julia", "exec julia \"$1\" \"$2\""},
+    {".R", "Rscript", "exec Rscript \"$1\" \"$2\""},
+    {".rb", "ruby", "exec ruby \"$1\" \"$2\""},
+    {".pl", "perl", "exec perl \"$1\" \"$2\""},
+    {".lua", "lua", "exec lua \"$1\" \"$2\""},
+    {".php", "php", "exec php \"$1\" \"$2\""},
+    {".sh", "sh", "exec sh \"$1\" \"$2\""},
+    {".jsonl", "cat", "exec cat \"$1\""},  // the answer itself
 };
 constexpr const char* run_script = "chmod u+x run && exec ./run \"$2\"";
 
-const char* script_for(const fs::path& file) {
+const Language* language_of(const fs::path& file) {
     for (const Language& language : languages)
-        if (file.extension() == language.extension) return language.script;
+        if (file.extension() == language.extension) return &language;
     return nullptr;
 }
 
@@ -118,16 +119,18 @@ WayToRun way_to_run(const fs::path& folder) {
     std::vector<fs::path> programs, named_main, answers;
     for (const fs::path& path : entries_of(folder)) {
         if (!fs::is_regular_file(path)) continue;
-        if (path.filename() == "run") return {run_script, "run", ""};
-        if (script_for(path) == nullptr) continue;
+        if (path.filename() == "run") return {run_script, "run", "", ""};
+        if (language_of(path) == nullptr) continue;
         (path.extension() == ".jsonl" ? answers : programs).push_back(path);
         const std::string stem = path.stem();
         if (stem == "main" || stem == "Main") named_main.push_back(path);
     }
     for (const auto& found : {named_main, programs, answers})
-        if (found.size() == 1)
-            return {script_for(found[0]), "./" + found[0].filename().string(), ""};
-    return {"", "",
+        if (found.size() == 1) {
+            const Language& language = *language_of(found[0]);
+            return {language.script, "./" + found[0].filename().string(), language.program, ""};
+        }
+    return {"", "", "",
             fmt::format("{}; expected a file run, one called main, or one of{}",
                         programs.empty() ? "has no program"
                                          : fmt::format("has {} programs", programs.size()),
@@ -153,7 +156,7 @@ std::vector<Submission> submissions_in(const fs::path& folder) {
     std::map<std::string, fs::path> found;
     for (const fs::path& path : entries_of(folder)) {
         const bool is_folder = fs::is_directory(fs::symlink_status(path));
-        if (!is_folder && script_for(path) == nullptr && !fs::is_symlink(path)) {
+        if (!is_folder && language_of(path) == nullptr && !fs::is_symlink(path)) {
             print_warning(path.string() + ": is no submission; expected a folder, or one of" +
                           extensions());
             continue;
@@ -183,11 +186,11 @@ WayToRun copied(const Submission& submission, const fs::path& to, std::size_t mo
         fault = "is a link or a device; expected a folder or a program";
     else if (!copy_file(submission.path, to / submission.path.filename(), most))
         fault = fmt::format("is larger than {} bytes, or cannot be read", most);
-    if (!fault.empty()) return {"", "", fault};
+    if (!fault.empty()) return {"", "", "", fault};
     lift_only_folder(to);
     if (command.empty()) return way_to_run(to);
     // $1 of the teacher's command is the file of the polygons.
-    return {"shift; " + command, "", ""};
+    return {"shift; " + command, "", "", ""};
 }
 
 std::string content_of(const fs::path& folder) {

@@ -21,7 +21,8 @@ std::vector<Submission> submissions_in(const std::filesystem::path& folder);
 /// How a submission is run: a shell's words, in which "$1" is the file and "$2" the polygons.
 struct WayToRun {
     std::string script, file;
-    std::string fault;  ///< why it cannot be run; "" if it can
+    std::string program;  ///< a compiler or interpreter that the script needs; "" if not known
+    std::string fault;    ///< why it cannot be run; "" if it can
 };
 
 /// Copies the regular files of a submission to an empty folder, where every user may read them. Links,

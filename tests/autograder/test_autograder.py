@@ -262,6 +262,27 @@ class Class(unittest.TestCase):
                           "--csv")
         self.assertIn('"in_c","7","7","right"', other.stdout)
 
+    @unittest.skipIf(shutil.which("julia"), "julia is installed")
+    def test_lacking_language_is_told_to_the_teacher_and_tried_again(self):
+        (work / "far").mkdir()
+        (work / "far/juliet.jl").write_text("println()")
+        words = [work / "far", "-o", work / "far_grades", "--csv"]
+        for more, said in (([], "The submission needs julia, which the grading computer does not"),
+                           (["--language", "ja"], "julia が必要だが、採点するコンピュータにない")):
+            lacking = autograde(*words, *more)
+            self.assertEqual(lacking.returncode, 3)
+            self.assertIn('"juliet","0","10","no program"', lacking.stdout)
+            self.assertRegex(lacking.stderr, "julia: no such program, .*: juliet; expected")
+            feedback = json.loads((work / "far_grades/students/juliet/results.json").read_text())
+            self.assertIn(said, feedback["tests"][0]["output"])
+        (work / "far_tools/bin").mkdir(parents=True)
+        julia = work / "far_tools/bin/julia"
+        julia.write_text("#!/bin/sh\nprintf '%s\\n' '" + answer.replace("\\n", "' '") + "'\n")
+        julia.chmod(0o755)
+        there = autograde(*words, "--resume", "--tools", work / "far_tools")
+        self.assertIn('"juliet","10","10","right"', there.stdout)
+        self.assertEqual(there.stderr, "")
+
     def test_interrupted_class_keeps_its_rows(self):
         folder = work / "interrupted"
         folder.mkdir()
