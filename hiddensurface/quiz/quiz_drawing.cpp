@@ -127,7 +127,8 @@ std::vector<int> clearance_of(const std::vector<std::uint32_t>& ids, const Quest
 }
 
 /// Each polygon's number at its visible pixel with the largest clearance.
-std::string numbers(const DrawnQuestion& drawn, const Question& question) {
+std::string numbers(const DrawnQuestion& drawn, const Question& question,
+                    std::vector<dvec2>& taken) {
     const std::vector<int> clearance = clearance_of(drawn.ids, question);
     std::map<std::uint32_t, std::size_t> widest;
     for (std::size_t i = 0; i < drawn.ids.size(); ++i) {
@@ -136,30 +137,35 @@ std::string numbers(const DrawnQuestion& drawn, const Question& question) {
     }
     widest.erase(0);
     std::string svg;
-    for (const auto& [id, i] : widest)
-        svg += text_at(double(i % quiz_width) + 0.5, quiz_height - double(i / quiz_width) + 4.5, 15,
-                       std::to_string(id));
+    for (const auto& [id, i] : widest) {
+        const dvec2 place(double(i % quiz_width) + 0.5, quiz_height - double(i / quiz_width) + 4.5);
+        taken.push_back(place - dvec2(0, 2));  // of larger letters
+        svg += text_at(place.x, place.y, 15, std::to_string(id));
+    }
     return svg;
 }
 
-/// Beside a corner, outwards, or turned from there until no other label is near.
+/// Beside a corner, outwards, or turned from there, or farther, until no other label is near.
 dvec2 free_place(const dvec2& corner, const dvec2& outwards, const std::vector<dvec2>& taken) {
-    constexpr double reach = 9, step = 0.4;
+    constexpr double step = 0.4;
+    constexpr int turns = 16;
     const double first = gw::atan2(outwards.y, outwards.x);
     dvec2 place(0);
-    for (int i = 0; i < 16; ++i) {
+    for (int k = 0; k < 2 * turns; ++k) {
+        const double reach = k < turns ? 9 : 16;
+        const int i = k % turns;
         const double angle = first + step * (i % 2 == 0 ? i / 2 : -(i + 1) / 2);
         place = {std::clamp(corner.x + reach * gw::cos(angle), 8.0, quiz_width - 8.0),
                  std::clamp(corner.y + reach * gw::sin(angle) + 3, 9.0, quiz_height - 3.0)};
         const bool is_free = std::ranges::none_of(taken, [&](const dvec2& other) {
-            return std::abs(other.x - place.x) < 12 && std::abs(other.y - place.y) < 9;
+            return std::abs(other.x - place.x) < 12 && std::abs(other.y - place.y) < 11;
         });
         if (is_free) break;
     }
     return place;
 }
 
-std::string names_of(const std::vector<QuizCorner>& corners) {
+std::string names_of(const std::vector<QuizCorner>& corners, std::vector<dvec2> taken) {
     std::map<std::uint32_t, std::pair<dvec2, int>> middles;
     for (const QuizCorner& corner : corners) {
         auto& [sum, count] = middles[corner.polygon];
@@ -167,7 +173,6 @@ std::string names_of(const std::vector<QuizCorner>& corners) {
         count += 1;
     }
     std::string svg;
-    std::vector<dvec2> taken;
     for (const QuizCorner& corner : corners) {
         const auto& [sum, count] = middles.at(corner.polygon);
         const dvec2 label = free_place(dvec2(corner.x, corner.y),
@@ -245,8 +250,9 @@ std::string drawing_of(const Question& question, const std::string& spoken) {
         quiz_width, quiz_height, spoken);
     if (!only_sides) svg += surfaces(drawn);
     svg += sides(drawn, !only_sides);
-    if (!only_sides) svg += numbers(drawn, question);
-    svg += names_of(corners_of(question));
+    std::vector<dvec2> taken;
+    if (!only_sides) svg += numbers(drawn, question, taken);
+    svg += names_of(corners_of(question), taken);
     return svg + marks(question) + "</svg>";
 }
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -292,6 +293,24 @@ TEST(Quiz, CornersHaveTenthsSoThatAllMediaShowTheSameDigits) {
             }
         }
     EXPECT_GT(halves, 0);
+}
+
+TEST(Quiz, NoNameOfADrawingCoversAnother) {
+    const std::regex text("<text x=\"([0-9.]+)\" y=\"([0-9.]+)\"[^>]*>([^<]+)<");
+    for (std::uint64_t seed = 1; seed < 9; ++seed)
+        for (const Question& question : make_quiz(seed, 7)) {
+            const std::string svg = drawing_of(question, "");
+            std::vector<std::smatch> names(std::sregex_iterator(svg.begin(), svg.end(), text), {});
+            for (std::size_t i = 0; i < names.size(); ++i)
+                for (std::size_t j = 0; j < i; ++j) {
+                    const auto apart = [&](int k) {
+                        return std::abs(std::stod(names[i][k]) - std::stod(names[j][k]));
+                    };
+                    EXPECT_TRUE(apart(1) > 9 || apart(2) > 7)
+                        << seed << " " << question.kind << ": " << names[i][3] << " over "
+                        << names[j][3];
+                }
+        }
 }
 
 TEST(FragmentList, RefusesWhatIsNone) {

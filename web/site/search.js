@@ -39,7 +39,7 @@ if (typeof document !== 'undefined') {
         }),
       );
       list.hidden = input.value.trim() === '';
-      if (!list.hidden && found.length === 0) list.textContent = 'Nothing has these words.';
+      if (!list.hidden && found.length === 0) list.textContent = input.dataset.none;
     });
   });
 }

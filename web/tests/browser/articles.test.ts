@@ -65,6 +65,29 @@ describe.skipIf(gw === '')('a film that an article shows', () => {
   );
 });
 
+/** In the page: what begins with a sign that ends a phrase, and stands on a line of its own. */
+function badlyBegunLines(): string[] {
+  const firstOf = (node: Node, from: number, to: number): DOMRect => {
+    const range = document.createRange();
+    range.setStart(node, from);
+    range.setEnd(node, to);
+    return range.getClientRects()[0] ?? new DOMRect();
+  };
+  return [...document.querySelectorAll('.piece, .step, .bound, strong')].flatMap((word) => {
+    const after = word.nextSibling;
+    if (after?.nodeType !== Node.TEXT_NODE || !/^[.,;:!?)。、）」]/.test(after.nodeValue ?? ''))
+      return [];
+    const last = [...word.getClientRects()].at(-1)!;
+    return firstOf(after, 0, 1).top < last.bottom ? [] : [`${word.textContent}${after.nodeValue}`];
+  });
+}
+
+/** In the page: rows of lists that are wider than their boxes. */
+const cutMarks = (): string[] =>
+  [...document.querySelectorAll<HTMLElement>('.rows .piece')]
+    .filter((row) => row.scrollWidth > row.clientWidth + 1)
+    .map((row) => row.innerText);
+
 describe.skipIf(gw === '')('the page', () => {
   const out = mkdtempSync(join(tmpdir(), 'gw-articles-page-'));
   beforeAll(async () => {
@@ -93,6 +116,8 @@ describe.skipIf(gw === '')('the page', () => {
           );
           expect(await pages.textsOf('output.bound'), title).not.toContain('–');
           expect(await pages.excess(), title).toBeLessThanOrEqual(0);
+          expect(await pages.page.evaluate(badlyBegunLines), title).toEqual([]);
+          expect(await pages.page.evaluate(cutMarks), title).toEqual([]);
         }
     }, 300_000);
 
@@ -131,7 +156,7 @@ describe.skipIf(gw === '')('the page', () => {
       await pages.page.waitForSelector('figure img');
       const name = () => pages.page.$eval('figure img', (e) => (e as HTMLImageElement).alt);
       expect(await name()).toBe('1 shot');
-      const words = await pages.page.$$('button.step');
+      const words = await pages.page.$$('.step');
       await words[1]!.focus();
       expect(await name()).toBe('20 shots');
     });
@@ -139,7 +164,7 @@ describe.skipIf(gw === '')('the page', () => {
     it('lights the shape of a word that Tab reaches, and moves the numbers of a dragged eye', async () => {
       await open('article=back-faces&lang=en');
       await pages.page.waitForSelector('figure svg');
-      await pages.page.focus('button.piece');
+      await pages.page.focus('.piece');
       expect(await pages.page.$$eval('g.lit', (all) => all.length)).toBeGreaterThan(0);
       const before = await pages.textsOf('output.bound');
       await pages.page.$eval('circle.eye', (e) => (e as SVGElement).focus());
@@ -160,14 +185,14 @@ describe.skipIf(gw === '')('the page', () => {
     it('goes to the step of a word, and lights the word of a polygon under the mouse', async () => {
       await open('article=visibility&lang=en');
       await pages.page.waitForSelector('figure canvas');
-      const step = (await pages.page.$('button.step'))!;
+      const step = (await pages.page.$('.step'))!;
       await step.focus();
-      expect(await pages.page.$eval('button.step', (e) => e.classList.contains('now'))).toBe(true);
+      expect(await pages.page.$eval('.step', (e) => e.classList.contains('now'))).toBe(true);
       const canvas = (await pages.page.$('figure canvas'))!;
       await canvas.scrollIntoView();
       const box = (await canvas.boundingBox())!;
       await pages.page.mouse.move(box.x + 0.3 * box.width, box.y + 0.75 * box.height);
-      await pages.page.waitForSelector('button.piece.lit');
+      await pages.page.waitForSelector('.piece.lit');
     });
 
     it('has the figure below its heading on a telephone, and names what a figure shows', async () => {

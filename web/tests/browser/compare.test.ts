@@ -49,6 +49,21 @@ describePages('the comparison', (pages) => {
     expect(await pages.colorAt(3, 0, 0)).toEqual([230, 20, 20, 255]);
   });
 
+  it('shows the whole title of each algorithm: some differ only at the end', async () => {
+    const title = "Painter's algorithm, sorted by the farthest corner of every polygon";
+    const algorithms = comparison.algorithms.map((run) => ({
+      ...run,
+      title,
+      name: `a-${run.name}`,
+    }));
+    await pages.open('compare', [JSON.stringify({ ...comparison, algorithms })], '#lang=en');
+    expect((await pages.textsOf('figcaption .title'))[0]).toBe(title);
+    const cut = await pages.page.$$eval('figcaption .title', (all) =>
+      all.filter((e) => e.scrollWidth > e.clientWidth).map((e) => e.textContent),
+    );
+    expect(cut).toEqual([]);
+  });
+
   it('shows all three planes, Japanese, dark, on a projector and a phone', async () => {
     await open('#plane=all&lang=ja&theme=dark&projector=1&show=painter');
     expect(await pages.page.$$('canvas')).toHaveLength(3);
