@@ -29,12 +29,8 @@ function scriptsOfFilms(): string {
 function scriptsOfLogs(): string {
   const folder = mkdtempSync(join(tmpdir(), 'gw-articles-'));
   const scripts = Object.entries(runs).map(([name, run]) => {
-    execFileSync(gw, argumentsOf(run, scenes, folder), {
-      stdio: ['ignore', 'ignore', 'inherit'],
-    });
-    const log = gzipSync(readFileSync(join(folder, 'steps.jsonl')), {
-      level: 9,
-    });
+    execFileSync(gw, argumentsOf(run, scenes, folder), { stdio: ['ignore', 'ignore', 'inherit'] });
+    const log = gzipSync(readFileSync(join(folder, 'steps.jsonl')), { level: 9 });
     return `<script id="log-${name}" type="text/plain">${log.toString('base64')}</script>`;
   });
   rmSync(folder, { recursive: true });

@@ -116,10 +116,7 @@ const version = /^project\(gw VERSION ([\d.]+)/m.exec(
 
 export default defineConfig({
   root: 'lab',
-  define: {
-    __GW_VERSION__: JSON.stringify(version),
-    __GW_MESSAGES__: JSON.stringify(messages()),
-  },
+  define: { __GW_VERSION__: JSON.stringify(version), __GW_MESSAGES__: JSON.stringify(messages()) },
   plugins: [
     svelte({ configFile: resolve('svelte.config.js') }),
     data(),

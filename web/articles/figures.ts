@@ -18,13 +18,7 @@ export interface RunFigure {
 }
 
 export const runs: Readonly<Record<string, RunFigure>> = {
-  ring: {
-    scene: 'ring',
-    algorithm: 'back-face',
-    size: '320x240',
-    view: 'top',
-    at: 'facing/back',
-  },
+  ring: { scene: 'ring', algorithm: 'back-face', size: '320x240', view: 'top', at: 'facing/back' },
   five: { scene: 'five', algorithm: 'z-buffer', size: '160x120', view: 'top' },
   centroid: {
     scene: 'centroid_fails',
@@ -33,12 +27,7 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     view: 'top',
     at: 'distance/sorted',
   },
-  wheel: {
-    scene: 'pinwheel',
-    algorithm: 'painter-farthest',
-    size: '160x120',
-    view: 'list',
-  },
+  wheel: { scene: 'pinwheel', algorithm: 'painter-farthest', size: '160x120', view: 'list' },
   tests: {
     scene: 'centroid_fails',
     algorithm: 'newell',
@@ -53,13 +42,7 @@ export const runs: Readonly<Record<string, RunFigure>> = {
     view: 'list',
     at: 'marks/cycle',
   },
-  tree: {
-    scene: 'cycle',
-    algorithm: 'bsp',
-    size: '160x120',
-    view: 'tree',
-    at: 'eye-side/front',
-  },
+  tree: { scene: 'cycle', algorithm: 'bsp', size: '160x120', view: 'tree', at: 'eye-side/front' },
   lines: {
     scene: 'five',
     algorithm: 'scan-line',

@@ -23,13 +23,21 @@ export interface FilmFigure {
 const size = '--size 200x150 --quiet';
 const box = 'radiosity SCENES/radiosity/cornell.toml --size 150x150 --texels 0.04 --patch 8';
 const shots = '--hemicube 64 --no-ambient --gamma 2.2 --quiet';
-const shot = (count: number, title: string): Frame => ({
-  id: `after-${count}`,
+const frame = (id: string, title: string, picture: string, table: string, row: string): Frame => ({
+  id,
   title,
-  picture: `box/shot_${String(count).padStart(6, '0')}.png`,
-  table: 'box/convergence.csv',
-  row: String(count),
+  picture,
+  table,
+  row,
 });
+const shot = (folder: string, count: number, title: string): Frame =>
+  frame(
+    `after-${count}`,
+    title,
+    `${folder}/shot_${String(count).padStart(6, '0')}.png`,
+    `${folder}/convergence.csv`,
+    String(count),
+  );
 
 export const films: Readonly<Record<string, FilmFigure>> = {
   components: {
@@ -39,41 +47,11 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     ],
     exhibit: 'passes&scene=rings.toml',
     frames: [
-      {
-        id: 'ambient',
-        title: 'Ambient',
-        picture: 'ambient.png',
-        table: 'passes.json',
-        row: 'ambient',
-      },
-      {
-        id: 'diffuse',
-        title: 'Diffuse',
-        picture: 'diffuse.png',
-        table: 'passes.json',
-        row: 'diffuse',
-      },
-      {
-        id: 'specular',
-        title: 'Specular',
-        picture: 'specular.png',
-        table: 'passes.json',
-        row: 'specular',
-      },
-      {
-        id: 'sum',
-        title: 'The sum',
-        picture: 'picture.png',
-        table: 'passes.json',
-        row: '',
-      },
-      {
-        id: 'one-pass',
-        title: 'One pass',
-        picture: 'hardware.png',
-        table: 'hardware.json',
-        row: '',
-      },
+      frame('ambient', 'Ambient', 'ambient.png', 'passes.json', 'ambient'),
+      frame('diffuse', 'Diffuse', 'diffuse.png', 'passes.json', 'diffuse'),
+      frame('specular', 'Specular', 'specular.png', 'passes.json', 'specular'),
+      frame('sum', 'The sum', 'picture.png', 'passes.json', ''),
+      frame('one-pass', 'One pass', 'hardware.png', 'hardware.json', ''),
     ],
   },
   mask: {
@@ -83,27 +61,9 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     ],
     exhibit: 'passes&scene=styles.toml',
     frames: [
-      {
-        id: 'unshadowed',
-        title: 'Without shadows',
-        picture: 'none.png',
-        table: 'none.json',
-        row: 'diffuse window',
-      },
-      {
-        id: 'stencil',
-        title: 'The stencil',
-        picture: 'stencil.png',
-        table: 'passes.json',
-        row: 'shadow window',
-      },
-      {
-        id: 'shadowed',
-        title: 'With shadows',
-        picture: 'picture.png',
-        table: 'passes.json',
-        row: 'diffuse window',
-      },
+      frame('unshadowed', 'Without shadows', 'none.png', 'none.json', 'diffuse window'),
+      frame('stencil', 'The stencil', 'stencil.png', 'passes.json', 'shadow window'),
+      frame('shadowed', 'With shadows', 'picture.png', 'passes.json', 'diffuse window'),
     ],
   },
   items: {
@@ -115,41 +75,23 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     ],
     exhibit: 'rays&scene=fig9.toml',
     frames: [
-      {
-        id: 'items',
-        title: 'Item buffer',
-        picture: 'ids.png',
-        table: 'study/counts.csv',
-        row: 'scene,1,1,item-buffer',
-      },
-      {
-        id: 'maps',
-        title: 'Reflection maps',
-        picture: 'maps.png',
-        table: 'study/counts.csv',
-        row: 'scene,1,1,maps',
-      },
-      {
-        id: 'rays',
-        title: 'Second rays',
-        picture: 'rays.png',
-        table: 'study/counts.csv',
-        row: 'scene,1,1,item-buffer',
-      },
-      {
-        id: 'all-rays',
-        title: 'All rays',
-        picture: 'compare/ray_tracing.png',
-        table: 'study/counts.csv',
-        row: 'scene,1,1,ray-tracing',
-      },
-      {
-        id: 'difference',
-        title: 'Why they differ',
-        picture: 'compare/reasons.png',
-        table: 'compare/differences.csv',
-        row: 'another polygon',
-      },
+      frame('items', 'Item buffer', 'ids.png', 'study/counts.csv', 'scene,1,1,item-buffer'),
+      frame('maps', 'Reflection maps', 'maps.png', 'study/counts.csv', 'scene,1,1,maps'),
+      frame('rays', 'Second rays', 'rays.png', 'study/counts.csv', 'scene,1,1,item-buffer'),
+      frame(
+        'all-rays',
+        'All rays',
+        'compare/ray_tracing.png',
+        'study/counts.csv',
+        'scene,1,1,ray-tracing',
+      ),
+      frame(
+        'difference',
+        'Why they differ',
+        'compare/reasons.png',
+        'compare/differences.csv',
+        'another polygon',
+      ),
     ],
   },
   box: {
@@ -159,14 +101,10 @@ export const films: Readonly<Record<string, FilmFigure>> = {
     ],
     exhibit: 'radiosity',
     frames: [
-      {
-        ...shot(1, '1 shot'),
-        picture: 'first/shot_000001.png',
-        table: 'first/convergence.csv',
-      },
-      shot(20, '20 shots'),
-      shot(100, '100 shots'),
-      shot(200, '200 shots'),
+      shot('first', 1, '1 shot'),
+      shot('box', 20, '20 shots'),
+      shot('box', 100, '100 shots'),
+      shot('box', 200, '200 shots'),
     ],
   },
 };

@@ -76,10 +76,7 @@ async function inTurns(
   const facts = await machine.ask('open', `/scenes/${scene}.toml`);
   const player = new peer.WebGlPlayer(frame);
   const { width, height } = frame;
-  const canvas = Object.assign(document.createElement('canvas'), {
-    width,
-    height,
-  });
+  const canvas = Object.assign(document.createElement('canvas'), { width, height });
   const context = canvas.getContext('2d')!;
   const eyeAt = (angle: number): [number, number, number] => {
     const x = facts.eye[0]! - facts.at[0]!;
@@ -99,10 +96,7 @@ async function inTurns(
   const ours: number[] = [];
   const theirs: number[] = [];
   let difference = 0;
-  const beside = Object.assign(document.createElement('canvas'), {
-    width: width * 2,
-    height,
-  });
+  const beside = Object.assign(document.createElement('canvas'), { width: width * 2, height });
   for (let i = 0; i < count + 2; ++i) {
     const angle = 0.03 * i;
     const begun = performance.now();

@@ -32,7 +32,6 @@ export interface Comparison {
 }
 
 export const differences = ['same', 'tie', 'edge', 'snap', 'wrong'] as const;
-export type DifferenceName = (typeof differences)[number];
 
 export function spreadRuns(runs: Runs, size: number): Uint32Array {
   const values = new Uint32Array(size);

@@ -29,6 +29,3 @@ export const arrows = (move: (dx: number, dy: number) => void): KeyActions => ({
   ArrowUp: () => move(0, -1),
   ArrowDown: () => move(0, 1),
 });
-
-export const clamped = (value: number, least: number, most: number): number =>
-  Math.min(Math.max(value, least), most);

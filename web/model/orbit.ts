@@ -1,5 +1,5 @@
 // Moves an eye around the point it looks at, as a hand on the picture does. Does not draw.
-import { cross, dot, minus, type Point } from './point';
+import { cross, dot, minus, unit, type Point } from './point';
 
 export interface Eye {
   readonly eye: Point;
@@ -9,7 +9,6 @@ export interface Eye {
 
 const scaled = (a: Point, by: number): Point => [a[0] * by, a[1] * by, a[2] * by];
 const plus = (a: Point, b: Point): Point => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const unit = (a: Point): Point => scaled(a, 1 / (Math.sqrt(dot(a, a)) || 1));
 
 /** `p` turned about the unit vector `axis` by `angle` radians. */
 function turned(p: Point, axis: Point, angle: number): Point {

@@ -1,5 +1,13 @@
-// The data that the command puts into a page: <script class="data"> with base64 of gzip of text.
-// Unpacks piece by piece, so that a long log never stands in memory as one string.
+// Data as words in base 64: gzip in pages (the command's <script class="data">, the lab's engines
+// and scenes), plain texts in addresses. Unpacks pages' texts piece by piece: a long log never
+// stands in memory as one string.
+
+export function bytesOf(base64: string): Uint8Array {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes;
+}
 
 export async function* piecesOf(text: ReadableStream<string>): AsyncGenerator<string> {
   const reader = text.getReader();
@@ -7,8 +15,9 @@ export async function* piecesOf(text: ReadableStream<string>): AsyncGenerator<st
 }
 
 export function unpackedPieces(base64: string): AsyncGenerator<string> {
-  const bytes = Uint8Array.from(atob(base64.trim()), (c) => c.charCodeAt(0));
-  const unzipped = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  const unzipped = new Blob([bytesOf(base64.trim())])
+    .stream()
+    .pipeThrough(new DecompressionStream('gzip'));
   return piecesOf(unzipped.pipeThrough(new TextDecoderStream()));
 }
 
@@ -25,4 +34,28 @@ export function takeData(): string[] {
     element.remove();
     return text;
   });
+}
+
+/** As a module of WebAssembly wants it, without a text between. */
+export function unpackedAs(text: string, type: string): Response {
+  const stream = new Blob([bytesOf(text)]).stream();
+  return new Response(stream.pipeThrough(new DecompressionStream('gzip')), {
+    headers: { 'Content-Type': type },
+  });
+}
+
+const url64 = { '+': '-', '/': '_', '=': '' } as Readonly<Record<string, string>>;
+/** A text of the visitor as a word of the address. */
+export const packedText = (text: string): string =>
+  btoa(String.fromCharCode(...new TextEncoder().encode(text))).replace(
+    /[+/=]/g,
+    (c) => url64[c] ?? c,
+  );
+export function unpackedText(word: string): string {
+  try {
+    const bytes = atob(word.replaceAll('-', '+').replaceAll('_', '/'));
+    return new TextDecoder().decode(Uint8Array.from(bytes, (c) => c.charCodeAt(0)));
+  } catch {
+    return '';
+  }
 }

@@ -20,7 +20,6 @@ export const passKeys = [
   'clear',
   'action',
 ] as const;
-export type PassKey = (typeof passKeys)[number];
 
 const header = '[[pass]]';
 

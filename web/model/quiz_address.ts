@@ -1,6 +1,6 @@
 // The state of a quiz's page in its address: the question that is shown, and the settings.
 import type { PageState } from './address';
-import { clamped } from './keys';
+import { clamped } from './numbers';
 import { addressOf, putSettings, settingsFrom, type Settings } from './settings';
 
 export interface QuizState {

@@ -132,11 +132,7 @@ describe('the models', () => {
   it('facing has a hidden front side if a corner is pulled in, and none while it is convex', () => {
     const pulled = { ...facing.spots, d: [0, 0], eye: [-6, 1.5] } as Spots;
     expect(facing.look(pulled).values['hidden']).toBe(1);
-    expect(facing.look(facing.spots).values).toMatchObject({
-      hidden: 0,
-      front: 1,
-      back: 4,
-    });
+    expect(facing.look(facing.spots).values).toMatchObject({ hidden: 0, front: 1, back: 4 });
   });
 });
 
@@ -233,11 +229,7 @@ it('the model of the scan line has the pixels whose middles are in the triangle'
     expect(values['pixels']).toBeLessThanOrEqual(loose);
     expect([0, 2]).toContain(values['edges']);
   }
-  expect(scanEdges.look(scanEdges.spots).values).toMatchObject({
-    begin: 6,
-    pixels: 12,
-    edges: 2,
-  });
+  expect(scanEdges.look(scanEdges.spots).values).toMatchObject({ begin: 6, pixels: 12, edges: 2 });
 });
 
 it('the model of depths stores what the perspective matrix gives', () => {

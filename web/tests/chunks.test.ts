@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { Chunks } from '../model/steps/chunks';
 import type { Step } from '../model/steps/log';
-import { countBelow } from '../model/steps/search';
+import { countBelow } from '../model/numbers';
 import { sideAt, sidesOf } from '../model/steps/tree';
 import { rejectedOf, windowsOf } from '../model/steps/windows';
 

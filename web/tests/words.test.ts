@@ -13,9 +13,8 @@ import {
   type Begun,
   type Translation,
 } from '../words/language';
-import { nameOf, passName } from '../words/names';
+import { nameOf, passName, titleOf } from '../words/names';
 import { quiz } from '../words/quiz_en';
-import { titleOf } from '../words/titles';
 
 const folders = ['articles', 'components', 'compare', 'lab', 'model', 'player', 'quiz', 'report'];
 const sources = folders

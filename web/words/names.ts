@@ -46,3 +46,10 @@ export const historyNames = (rows: Rows, language: Language): Rows =>
       return j === 0 ? passName(cell, language) : nameOf('word', cell, language);
     }),
   );
+
+/**
+ * The title of an algorithm; the English one comes with the data. A student's own keeps its title.
+ * The code of a lecture's row stays away: few readers have that lecture.
+ */
+export const titleOf = (algorithm: string, title: string, language: Language): string =>
+  translated('title', algorithm, language) ?? title.replace(/ \[L\d+\]$/, '');

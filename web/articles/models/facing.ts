@@ -15,14 +15,7 @@ export const facing: Model = {
   box: [-6, -5, 6, 5],
   grid: 0.5,
   spots: { eye: [0, -4.5], a: [-2, -1], b: [2, -1], c: [3, 1.5], d: [0, 3.5], e: [-3, 1.5] },
-  names: {
-    eye: 'eye',
-    a: 'corner a',
-    b: 'corner b',
-    c: 'corner c',
-    d: 'corner d',
-    e: 'corner e',
-  },
+  names: { eye: 'eye', a: 'corner a', b: 'corner b', c: 'corner c', d: 'corner d', e: 'corner e' },
   look: (spots) => {
     const eye = spots['eye']!;
     const outline = corners.map((name) => spots[name]!);

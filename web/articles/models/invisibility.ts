@@ -36,12 +36,7 @@ export const invisibility: Model = {
   box: [-6, -5, 6, 5],
   grid: 0.5,
   spots: { p: [-5, -1], q: [5, 1.5], a: [-1.5, 0], b: [1.5, 0.5] },
-  names: {
-    p: 'end p of the line',
-    q: 'end q of the line',
-    a: 'surface 1',
-    b: 'surface 2',
-  },
+  names: { p: 'end p of the line', q: 'end q of the line', a: 'surface 1', b: 'surface 2' },
   look: (spots) => {
     const [p, q] = [spots['p']!, spots['q']!];
     const shapes: Shape[] = [];
@@ -76,28 +71,13 @@ export const invisibility: Model = {
       numbers.push(number);
       if (number === 0) seen += to - from;
       const at = [mixed(p, q, from), mixed(p, q, to)];
-      shapes.push({
-        id: 'line',
-        kind: 'line',
-        at,
-        tone: number === 0 ? 'front' : 'back',
-      });
+      shapes.push({ id: 'line', kind: 'line', at, tone: number === 0 ? 'front' : 'back' });
       const middle = plus(mixed(p, q, (from + to) / 2), [0, 0.5]);
-      shapes.push({
-        kind: 'text',
-        at: [middle],
-        tone: 'faint',
-        text: String(number),
-      });
+      shapes.push({ kind: 'text', at: [middle], tone: 'faint', text: String(number) });
     });
     const crossings = changes.filter(({ t }) => t > 0 && t < 1);
     for (const { t } of crossings)
-      shapes.push({
-        id: 'crossing',
-        kind: 'dot',
-        at: [mixed(p, q, t)],
-        tone: 'wrong',
-      });
+      shapes.push({ id: 'crossing', kind: 'dot', at: [mixed(p, q, t)], tone: 'wrong' });
     const values = {
       crossings: crossings.length,
       numbers: numbers.join(', '),

@@ -16,11 +16,7 @@ export const precision: Model = {
   box: [0, -8, most, tall + 8],
   grid: 0.25,
   spots: { near: [1, 0], far: [100, tall], point: [40, tall / 2] },
-  names: {
-    near: 'near plane',
-    far: 'far plane',
-    point: 'point',
-  },
+  names: { near: 'near plane', far: 'far plane', point: 'point' },
   limit: (name, [x]) =>
     name === 'near'
       ? [Math.min(20, Math.max(0.25, x)), 0]

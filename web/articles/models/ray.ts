@@ -79,12 +79,7 @@ export const ray: Model = {
     const end = mixed(eye, pixel, nearest?.t ?? far);
     shapes.push({ id: 'ray', kind: 'arrow', at: [eye, end], tone: 'first' });
     for (const { t } of hits.slice(1))
-      shapes.push({
-        id: 'behind',
-        kind: 'dot',
-        at: [mixed(eye, pixel, t)],
-        tone: 'back',
-      });
+      shapes.push({ id: 'behind', kind: 'dot', at: [mixed(eye, pixel, t)], tone: 'back' });
     if (nearest) {
       const [a, b] = walls[nearest.name]!;
       const line = unit(outwards(minus(b, a)));
@@ -93,12 +88,7 @@ export const ray: Model = {
       const blocked = hitsOf(end, light, nearest.name).find(({ t }) => t < 1);
       const to = mixed(end, light, blocked?.t ?? 1);
       const lit = shaded && !blocked;
-      shapes.push({
-        id: 'shadow',
-        kind: 'arrow',
-        at: [end, to],
-        tone: lit ? 'front' : 'wrong',
-      });
+      shapes.push({ id: 'shadow', kind: 'arrow', at: [end, to], tone: lit ? 'front' : 'wrong' });
       values['lit'] = lit ? 1 : 0;
       values['rays'] = 2;
       if (nearest.name === mirror) {
@@ -106,12 +96,7 @@ export const ray: Model = {
         const out = minus(along, scaled(normal, 2 * dot(along, normal)));
         const next = hitsOf(end, plus(end, out), mirror)[0];
         const stop = plus(end, scaled(out, next?.t ?? far));
-        shapes.push({
-          id: 'reflected',
-          kind: 'arrow',
-          at: [end, stop],
-          tone: 'first',
-        });
+        shapes.push({ id: 'reflected', kind: 'arrow', at: [end, stop], tone: 'first' });
         values['second'] = next?.name ?? '0';
         values['rays'] = 3;
       }
@@ -124,12 +109,7 @@ export const ray: Model = {
         at,
         tone: 'second',
       });
-      shapes.push({
-        kind: 'text',
-        at: [mixed(...at, 0.25)],
-        tone: 'faint',
-        text: name,
-      });
+      shapes.push({ kind: 'text', at: [mixed(...at, 0.25)], tone: 'faint', text: name });
     }
     shapes.push({ kind: 'dot', at: [eye], tone: 'faint' });
     return { shapes, values };

@@ -7,12 +7,7 @@ export const scanEdges: Model = {
   box: [0, 0, 24, 18],
   grid: 1,
   spots: { a: [3, 2], b: [21, 6], c: [9, 16], line: [23, 8] },
-  names: {
-    a: 'corner a',
-    b: 'corner b',
-    c: 'corner c',
-    line: 'scan line',
-  },
+  names: { a: 'corner a', b: 'corner b', c: 'corner c', line: 'scan line' },
   limit: (name, [x, y]) => (name === 'line' ? [23, Math.min(17, y)] : [x, y]),
   look: (spots) => {
     const corners = ['a', 'b', 'c'].map((name) => spots[name]!);

@@ -34,12 +34,7 @@ export const shading: Model = {
     const arrow = (id: string, to: Spot, length: number, tone: Shape['tone']): void => {
       const end = scaled(to, length);
       shapes.push({ id, kind: 'arrow', at: [[0, 0], end], tone });
-      shapes.push({
-        kind: 'text',
-        at: [plus(end, scaled(to, 0.35))],
-        tone,
-        text: id,
-      });
+      shapes.push({ kind: 'text', at: [plus(end, scaled(to, 0.35))], tone, text: id });
     };
     arrow('N', normal, 2, 'faint');
     arrow('L', toLight, 2.4, 'first');

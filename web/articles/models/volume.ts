@@ -89,11 +89,7 @@ export const volume: Model = {
         });
       }
     });
-    shapes.push({
-      kind: 'line',
-      at: [eye, mixed(eye, point, 10)],
-      tone: 'light',
-    });
+    shapes.push({ kind: 'line', at: [eye, mixed(eye, point, 10)], tone: 'light' });
     shapes.push({ id: 'sight', kind: 'line', at: [eye, point], tone: 'faint' }, ...dots);
     const [pass, fail] = [values.enter - values.leave, values.out - values.into];
     return { shapes, values: { ...values, pass, fail } };

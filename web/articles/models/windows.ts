@@ -40,19 +40,10 @@ export const windows: Model = {
   box: [0, 0, across, across],
   grid: 1,
   spots: { a: [2, 1], b: [15, 4], c: [6, 14] },
-  names: {
-    a: 'corner a',
-    b: 'corner b',
-    c: 'corner c',
-  },
+  names: { a: 'corner a', b: 'corner b', c: 'corner c' },
   look: (spots) => {
     const triangle = ['a', 'b', 'c'].map((name) => spots[name]!);
-    const found: Record<Answer, number> = {
-      empty: 0,
-      covered: 0,
-      divided: 0,
-      pixel: 0,
-    };
+    const found: Record<Answer, number> = { empty: 0, covered: 0, divided: 0, pixel: 0 };
     const shapes: Shape[] = [];
     let first: Answer = 'empty';
     const look = (x: number, y: number, size: number): void => {
@@ -72,12 +63,7 @@ export const windows: Model = {
       }
     };
     look(0, 0, across);
-    shapes.push({
-      id: 'triangle',
-      kind: 'line',
-      at: [...triangle, triangle[0]!],
-      tone: 'second',
-    });
+    shapes.push({ id: 'triangle', kind: 'line', at: [...triangle, triangle[0]!], tone: 'second' });
     const all = found.empty + found.covered + found.divided + found.pixel;
     return {
       shapes,

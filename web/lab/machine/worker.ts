@@ -4,7 +4,7 @@ import make_scalar from 'gw-scalar';
 import { decode } from 'fast-png';
 import { folder } from './data';
 import type { Answer, Files, Methods, Request, SceneFacts } from './protocol';
-import { bytesOf, unpacked } from './unpacked';
+import { bytesOf, unpackedAs } from '../../model/packed';
 
 let lab: EngineModule;
 let engine: Engine;
@@ -35,7 +35,7 @@ function write(files: Files): void {
 
 /** By path, "/scenes/hidden/cycle.toml". */
 async function sceneFiles(text: string): Promise<Files> {
-  const files = (await unpacked(text, 'application/json').json()) as Record<string, string>;
+  const files = (await unpackedAs(text, 'application/json').json()) as Record<string, string>;
   return Object.fromEntries(
     Object.entries(files).map(([name, base64]) => [folder + name, bytesOf(base64)]),
   );
@@ -112,7 +112,7 @@ const own: { [M in Own]: (...values: Parameters<Methods[M]>) => unknown } = {
     const compiling =
       engineText instanceof WebAssembly.Module
         ? engineText
-        : WebAssembly.compileStreaming(unpacked(engineText, 'application/wasm'));
+        : WebAssembly.compileStreaming(unpackedAs(engineText, 'application/wasm'));
     const files = sceneFiles(scenesText);
     const module = await compiling;
     const make = vectors ? make_engine : make_scalar;

@@ -1,6 +1,6 @@
 // The worker of a program in Python: MicroPython, whose module the page has as text.
 import { loadMicroPython } from '@micropython/micropython-webassembly-pyscript/micropython.mjs';
-import { unpacked } from '../machine/unpacked';
+import { unpackedAs } from '../../model/packed';
 import { mostSteps, network } from './limits';
 import type { PythonTask, Said } from './program';
 
@@ -25,7 +25,7 @@ function asError(error: unknown): Said {
 
 async function run({ text, polygons, module }: PythonTask): Promise<Said> {
   const names = self as unknown as Record<string, unknown>;
-  names.fetch = () => Promise.resolve(unpacked(module, 'application/wasm'));
+  names.fetch = () => Promise.resolve(unpackedAs(module, 'application/wasm'));
   const python = await loadMicroPython({ url: 'micropython.wasm', heapsize: heap });
   for (const name of network) names[name] = undefined;
   const steps: string[] = [];

@@ -1,5 +1,5 @@
 // The state of the exhibit of passes in the address.
-import { clamped } from '../../model/keys';
+import { clamped } from '../../model/numbers';
 import { known, pointFrom } from '../../model/settings';
 import type { Point } from '../../model/point';
 import type { ExhibitState } from '../exhibit/exhibit';

@@ -1,6 +1,6 @@
 // A log played forwards and backwards: the picture, the counters, the order and the outlines of all
 // pieces after any step. Keyframes bound the time of a jump. Does not draw.
-import { clamped } from '../keys';
+import { clamped } from '../numbers';
 import { polygonOf, type Log, type Loop, type Step } from './log';
 
 const keyframes = 64;

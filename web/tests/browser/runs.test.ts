@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Browser, Page } from 'puppeteer-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { titleOf } from '../../words/titles';
+import { titleOf } from '../../words/names';
 import { complaintsOf, launched } from './browser';
 
 const gw = process.env['GW'] ?? '';

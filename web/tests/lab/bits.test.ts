@@ -130,10 +130,7 @@ it.each(['fast', 'reference'])('%s reproduces every row of the table of digests'
     }) => Promise<unknown>;
     const { make_exactness } = window as unknown as { make_exactness: Make };
     const lines: string[] = [];
-    await make_exactness({
-      arguments: ['--machine', machine],
-      print: (line) => lines.push(line),
-    });
+    await make_exactness({ arguments: ['--machine', machine], print: (line) => lines.push(line) });
     return lines;
   }, name);
   expect(expected.length).toBeGreaterThan(190);

@@ -1,6 +1,6 @@
 // The exhibit of own algorithms: programs that are right, wrong, broken, or endless.
 import { expect, it } from 'vitest';
-import { packedText } from '../../model/packed_text';
+import { packedText } from '../../model/packed';
 import { inChromium, open, thePage } from './page';
 
 inChromium();
