@@ -34,7 +34,7 @@ void add_texcoords(MeshData& data, const std::vector<AssembledVertex>& vertices)
         collect(data.texcoords_rq, vertices, rq);
 }
 
-/// Of unit `i` + 1, if they vary.
+/// Adds the coordinates of unit `i` + 1, if they vary.
 void add_further_texcoords(MeshData& data, const std::vector<FurtherTexcoords>& all,
                            std::size_t i) {
     const auto varies = [&](auto value) {

@@ -4,13 +4,14 @@
 
 #include "gl/assemble/assembler.h"
 #include "gl/assemble/mesh.h"
-#include "gl/context/query_objects.h"
 #include "gl/drawable/call_trace.h"
 #include "gl/drawable/drawable.h"
 #include "gl/drawable/off_screen.h"
+#include "gl/drawable/sample_counts.h"
 #include "gl/state/client.h"
 #include "gl/state/evaluators.h"
 #include "gl/state/framebuffer_objects.h"
+#include "gl/state/free_names.h"
 #include "gl/state/list_names.h"
 #include "gl/state/matrices.h"
 #include "gl/state/selection.h"
@@ -20,7 +21,9 @@
 #include "gw/command_list.h"
 #include "gw/profile.h"
 
+#include <GL/gl.h>
 #include <array>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -52,6 +55,13 @@ struct SavedAttributes {
     std::array<std::array<TextureParameters, texture_target_count>, texture_unit_count> textures{};
 };
 inline constexpr std::size_t attribute_stack_depth = 16;
+
+/// Occlusion queries. [GL15] 4.1.7
+struct QueryObjects {
+    std::map<GLuint, SampleCountRef> named;  ///< null: reserved by GenQueries, no query yet
+    FreeNames free_names;
+    GLuint active = 0;  ///< 0: none
+};
 
 /// The machine's state and lights that follow from GL's, kept until a part changes.
 struct TranslatedState {
@@ -113,6 +123,13 @@ inline TextureObject& bound_texture(const Context& context, std::size_t target) 
 
 /// Keeps the first error until GetError. [GL11] 2.5
 void set_error(Context& context, GLenum error);
+
+/// Gen..: reserves n names of a kind of objects. [GL11] 3.8.8
+template <class Names>
+void gen_names(Context& context, Names& names, GLsizei n, GLuint* given) {
+    if (n < 0) return set_error(context, GL_INVALID_VALUE);
+    if (given != nullptr) reserve_names(names.named, names.free_names, n, given);
+}
 
 /// In a handler: a lack of memory becomes OUT_OF_MEMORY, any other exception one line on stderr.
 void report_exception(Context& context);

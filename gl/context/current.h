@@ -10,7 +10,7 @@ struct Context;
 /// Null: none. In the thread's static block, since every GL call reads it.
 [[gnu::tls_model("initial-exec")]] extern constinit thread_local Context* current;
 
-/// The current context of the other library of ours in this process: a program may be linked with
+/// The current context of the other library of ours in this process. A program may be linked with
 /// libGL.so.1 and draw with a context of libOSMesa.so.8, or look its functions up in the wrong one.
 /// Null: none, or the libraries are not of one build.
 Context* context_of_other_library();

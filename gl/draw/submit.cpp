@@ -18,7 +18,7 @@ std::shared_ptr<const CurrentValues> shared_values(const CurrentValues& values) 
     return std::make_shared<const CurrentValues>(values);
 }
 
-/// Of unit 0, and of the others that have textures.
+/// Looks at unit 0, and at the others that have textures.
 bool has_finite_texture_matrices(const Context& context) {
     for (std::size_t unit = 0; unit < texture_unit_count; ++unit)
         if ((unit == 0 || context.state.texture.units[unit].is_enabled()) &&

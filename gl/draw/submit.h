@@ -37,7 +37,7 @@ FaceMaterials face_materials(const Context& context);
 /// The enabled texture of a unit; cubes come before three dimensions, those before two. Null: none,
 /// or it is not complete. [GL13] 3.8.15
 TextureRef enabled_texture(Context& context, std::size_t unit = 0);
-/// Those of units 1 to 3; null: there are none.
+/// The enabled textures of units 1 to 3; null: there are none.
 std::shared_ptr<const MoreBindings> further_textures(Context& context);
 
 /// A draw with the current state. A vertex has `values` and `further` if the mesh has no array of

@@ -44,7 +44,7 @@ int most_samples(const Context& context);
 int draw_samples(const Context& context);
 int read_samples(const Context& context);
 
-/// Of the framebuffer that is drawn to or read from; 0: it has no depth.
+/// The bits of a depth in the framebuffer that is drawn to or read from; 0: it has none.
 int draw_depth_bits(const Context& context);
 int read_depth_bits(const Context& context);
 FramebufferSize read_size(const Context& context);

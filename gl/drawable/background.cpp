@@ -1,7 +1,5 @@
 #include "gl/drawable/background.h"
 
-#include "gl/drawable/program_end.h"
-
 #include "gw/base/blocked_signals.h"
 #include "gw/base/parallel.h"
 

@@ -49,4 +49,12 @@ private:
     std::unique_ptr<Worker> worker_;
 };
 
+/// Windows ends a program's other threads before its libraries end: they may be in the middle of
+/// anything, and nobody can wait for them. Elsewhere they still run.
+#ifdef _WIN32
+inline constexpr bool other_threads_are_gone = true;
+#else
+inline constexpr bool other_threads_are_gone = false;
+#endif
+
 }  // namespace gw::gl

@@ -42,7 +42,7 @@ struct CallRun {
     std::uint32_t ordinal = 0;  ///< of the first primitive since Begin
 };
 
-/// Of a context.
+/// Where a context is in its calls.
 struct CallTrace {
     std::uint32_t next = 0;                  ///< the number of the frame's next call
     CallPlace now;                           ///< the call that is being carried out

@@ -44,7 +44,7 @@ public:
     int width() const { return width_; }
     int height() const { return height_; }
     bool is_double_buffered() const { return buffers_ != Buffers::Single; }
-    /// Of a pixel; 0: none.
+    /// The samples of a pixel; 0: none.
     int samples() const { return samples_ ? samples_->count() : 0; }
     /// Whether its machine has a plane for each buffer; else both are the one plane.
     bool has_back_plane() const {
@@ -179,7 +179,7 @@ private:
     std::unique_ptr<Background> background_;  ///< null: no frame was executed behind
     CollectedCommands executed_;              ///< by it
     Frame frame_;
-    /// Of the last frame that ended; none: nobody listened.
+    /// As the last frame ended; none: nobody listened.
     std::optional<ShownIndices> logged_indices_;
     SampleCounts counts_;
     bool are_counts_paused_ = false;

@@ -59,7 +59,7 @@ public:
     /// Values for a whole plane: colours, or depths and stencil values.
     void write(const ImagePlane& plane, std::vector<Rgba> colors,
                std::vector<std::uint32_t> values);
-    /// Those of a surface, without its samples.
+    /// The values of a surface, without its samples.
     void write_from(const ImagePlane& plane, std::uint32_t surface);
     /// A whole plane.
     Readback read_plane(const ImagePlane& plane, Cause cause);

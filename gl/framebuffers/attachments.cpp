@@ -123,7 +123,7 @@ std::optional<GLint> attachment_value(const Context& context, const Framebuffer&
     return std::nullopt;
 }
 
-/// Of the window. None: INVALID_ENUM.
+/// What the window answers. None: INVALID_ENUM.
 std::optional<GLint> window_value(const Context& context, GLenum attachment, GLenum pname) {
     const bool is_depth = attachment == GL_DEPTH, is_stencil = attachment == GL_STENCIL;
     const bool is_back = attachment == GL_BACK_LEFT;

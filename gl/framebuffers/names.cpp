@@ -56,18 +56,12 @@ void bind_any_renderbuffer(Context& context, GLuint name) {
 namespace execute {
 
 void gen_framebuffers(Context& context, GLsizei n, GLuint* framebuffers) {
-    if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (framebuffers == nullptr) return;
-    Framebuffers& f = context.framebuffers;
-    reserve_names(f.named, f.free_names, n, framebuffers);
+    gen_names(context, context.framebuffers, n, framebuffers);
 }
 
 void gen_renderbuffers(Context& context, GLsizei n, GLuint* renderbuffers) {
-    if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (renderbuffers == nullptr) return;
     const auto lock = context.shared->exclusive();
-    RenderbufferNames& names = context.shared->renderbuffers;
-    reserve_names(names.named, names.free_names, n, renderbuffers);
+    gen_names(context, context.shared->renderbuffers, n, renderbuffers);
 }
 
 void delete_framebuffers(Context& context, GLsizei n, const GLuint* framebuffers) {

@@ -24,8 +24,8 @@ using Config = __GLXFBConfigRec;
 /// visual of its own if its depth has enough; else those of a depth share them. The first visual of a
 /// depth is double buffered without samples, as are those that are left over.
 ///
-/// Of [GLX 1.4] table 3.4's orders three decide: single before double, then fewer samples first. Then
-/// the depth of the screen's default visual is first and visuals with an alpha channel are last.
+/// Three orders of [GLX 1.4] table 3.4 decide: single before double, then fewer samples first. Then the
+/// depth of the screen's default visual is first and visuals with an alpha channel are last.
 std::deque<Config> make_configs(Display* display, int screen, int first_id);
 
 /// The value of an attribute; none: no such attribute.

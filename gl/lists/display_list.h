@@ -92,26 +92,27 @@ inline constexpr std::size_t list_alignment = 16;
 /// Sets the error of a call that may not stand between Begin and End, if one is played there.
 bool is_misplaced(Context& context);
 
-template <Kind kind, auto execute, class Kept>
+template <Kind kind, auto execute, class Arguments>
 inline constexpr ListedOperations listed_operations{
     [](Context& context, const std::byte* at) {
         if constexpr (!may_stand_inside(kind))
             if (is_misplaced(context)) return;
         std::apply([&](const auto&... v) { execute(context, v...); },
-                   *reinterpret_cast<const Kept*>(at));
+                   *reinterpret_cast<const Arguments*>(at));
     },
-    [](std::byte* at) { std::destroy_at(reinterpret_cast<Kept*>(at)); }, &call_id<execute>};
+    [](std::byte* at) { std::destroy_at(reinterpret_cast<Arguments*>(at)); }, &call_id<execute>};
 
 template <Kind kind, auto execute, class... Values>
 void DisplayList::add(Function function, const Values&... values) {
-    using Kept = std::tuple<Values...>;
-    static_assert(alignof(Kept) <= list_alignment && sizeof(Header) <= list_alignment);
+    using Arguments = std::tuple<Values...>;
+    static_assert(alignof(Arguments) <= list_alignment && sizeof(Header) <= list_alignment);
     constexpr std::size_t size =
-        list_alignment + (sizeof(Kept) + list_alignment - 1) / list_alignment * list_alignment;
+        list_alignment + (sizeof(Arguments) + list_alignment - 1) / list_alignment * list_alignment;
     std::byte* const at = append(size);
-    std::construct_at(reinterpret_cast<Kept*>(at + list_alignment), values...);
-    std::construct_at(reinterpret_cast<Header*>(at), Header{&listed_operations<kind, execute, Kept>,
-                                                            std::uint32_t(size), function});
+    std::construct_at(reinterpret_cast<Arguments*>(at + list_alignment), values...);
+    std::construct_at(
+        reinterpret_cast<Header*>(at),
+        Header{&listed_operations<kind, execute, Arguments>, std::uint32_t(size), function});
 }
 
 }  // namespace gw::gl

@@ -107,7 +107,7 @@ bool Sealer::take_end() {
     return true;
 }
 
-/// Of any unit that a profile may have.
+/// Takes coordinates of any unit that a profile may have.
 bool Sealer::take_texcoord(const std::tuple<GLenum, float, float, float, float>& call) {
     const auto& [texture, s, t, r, q] = call;
     const std::size_t unit = texture - GL_TEXTURE0;

@@ -21,7 +21,7 @@ namespace gw::gl {
 
 namespace {
 
-/// Of depths of fragments, also where no plane keeps them.
+/// The bits of a fragment's depth, also where no plane keeps it.
 int fragment_depth_bits(const Context& context) {
     const int bits = draw_depth_bits(context);
     return bits != 0 ? bits : context.profile.depth_bits;

@@ -1,4 +1,5 @@
-#include "gl/query/array_variables.h"
+// The state variables of vertex arrays.
+#include "gl/query/state_variables.h"
 
 #include "gl/context/context.h"
 

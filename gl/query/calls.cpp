@@ -5,8 +5,8 @@
 #include "gl/pixels/formats.h"
 #include "gl/pixels/memory.h"
 #include "gl/pixels/transfer.h"
-#include "gl/query/get.h"
 #include "gl/query/strings.h"
+#include "gl/query/values.h"
 #include "gl/state/evaluators.h"
 
 #include <algorithm>

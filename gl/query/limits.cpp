@@ -1,4 +1,5 @@
-#include "gl/query/limits.h"
+// The limits of this implementation, as state variables.
+#include "gl/query/state_variables.h"
 
 #include "gl/context/context.h"
 #include "gl/draw/targets.h"

@@ -41,10 +41,8 @@ void get_query_object(Context& context, GLuint id, GLenum pname, T* params) {
 namespace execute {
 
 void gen_queries(Context& context, GLsizei n, GLuint* ids) {
-    if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (context.queries.active != 0) return set_error(context, GL_INVALID_OPERATION);
-    if (ids == nullptr) return;
-    reserve_names(context.queries.named, context.queries.free_names, n, ids);
+    if (n >= 0 && context.queries.active != 0) return set_error(context, GL_INVALID_OPERATION);
+    gen_names(context, context.queries, n, ids);
 }
 
 void delete_queries(Context& context, GLsizei n, const GLuint* ids) {

@@ -1,6 +1,5 @@
 // Every state variable that the functions Get.. answer, in one table. [GL11] tables 6.5 to 6.22
-#include "gl/query/array_variables.h"
-#include "gl/query/limits.h"
+#include "gl/query/state_variables.h"
 #include "gl/query/values.h"
 
 #include "gl/attributes/attributes.h"

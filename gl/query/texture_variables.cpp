@@ -1,4 +1,5 @@
-#include "gl/query/limits.h"
+// The state variables of the active texture unit.
+#include "gl/query/state_variables.h"
 
 #include "gl/context/context.h"
 
@@ -15,7 +16,7 @@ const MatrixStack& stack(const Context& context) {
     return context.matrices.texture[context.state.texture.active];
 }
 
-/// Of unit 0, or of one of the others.
+/// The value of the active unit: unit 0 has `first`, the others have `further`.
 const vec4& of_active(const Context& context, const vec4& first, const FurtherTexcoords& further) {
     const std::size_t unit = context.state.texture.active;
     return unit == 0 ? first : further[unit - 1];

@@ -8,7 +8,7 @@
 #include "gl/pixels/packed.h"
 #include "gl/pixels/plain_pixels.h"
 #include "gl/pixels/transfer.h"
-#include "gl/query/get.h"
+#include "gl/query/values.h"
 #include "gl/state/texture_targets.h"
 #include "gw/base/to_bytes.h"
 

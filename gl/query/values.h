@@ -2,6 +2,7 @@
 // caller asks for. [GL11] 6.1.2
 #pragma once
 
+#include "gl/context/context.h"
 #include "gw/base/types.h"
 
 #include <GL/gl.h>
@@ -14,8 +15,6 @@
 #include <type_traits>
 
 namespace gw::gl {
-
-struct Context;
 
 /// Up to 16 values.
 struct QueryValues {
@@ -82,6 +81,13 @@ void store(const QueryValues& values, T* params) {
         else
             params[i] = T(v);
     }
+}
+
+/// Gives the program the values. None: INVALID_ENUM.
+template <class T>
+void get(Context& context, const std::optional<QueryValues>& values, T* params) {
+    if (!values) return set_error(context, GL_INVALID_ENUM);
+    if (params != nullptr) store(*values, params);
 }
 
 }  // namespace gw::gl

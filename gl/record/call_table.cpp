@@ -1,7 +1,14 @@
 #include "gl/record/call_table.h"
 
-#include "gl/record/code_place.h"
+#ifdef _WIN32
+#include <windows.h>
+#else
+#include <dlfcn.h>
+#endif
+#include <fmt/format.h>
 
+#include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -12,6 +19,48 @@ namespace gw::gl {
 namespace {
 
 constexpr std::size_t most_sources = 1 << 14;
+
+/// What the system knows of an address: the file of its code, and a name in it.
+struct Found {
+    std::filesystem::path file;
+    const void* begin = nullptr;  ///< of the file in memory
+    std::string name;             ///< empty: none is exported
+    const void* name_begin = nullptr;
+};
+
+#ifdef _WIN32
+Found found_at(const void* address) {
+    HMODULE module = nullptr;
+    wchar_t file[MAX_PATH] = {};
+    constexpr DWORD by_address =
+        GET_MODULE_HANDLE_EX_FLAG_FROM_ADDRESS | GET_MODULE_HANDLE_EX_FLAG_UNCHANGED_REFCOUNT;
+    if (!GetModuleHandleExW(by_address, static_cast<LPCWSTR>(address), &module) ||
+        GetModuleFileNameW(module, file, MAX_PATH) == 0)
+        return {};
+    return {.file = file, .begin = module};
+}
+#else
+Found found_at(const void* address) {
+    Dl_info found{};
+    if (::dladdr(address, &found) == 0 || found.dli_fname == nullptr) return {};
+    return {found.dli_fname, found.dli_fbase, found.dli_sname != nullptr ? found.dli_sname : "",
+            found.dli_saddr};
+}
+#endif
+
+/// "main+0x1f in gears", if the program exports the name; else "gears+0x1a2f"; the bare address, if
+/// no loaded file has it.
+std::string code_place(const void* address) {
+    const Found found = found_at(address);
+    if (found.begin == nullptr) return fmt::format("{}", address);
+    const std::string file = found.file.filename().string();
+    const auto from = [&](const void* begin) -> std::ptrdiff_t {
+        return static_cast<const char*>(address) - static_cast<const char*>(begin);
+    };
+    if (!found.name.empty())
+        return fmt::format("{}+{:#x} in {}", found.name, from(found.name_begin), file);
+    return fmt::format("{}+{:#x}", file, from(found.begin));
+}
 
 /// Makes a table in which each name and each list stands once.
 class TableMaker {

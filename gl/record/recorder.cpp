@@ -1,7 +1,7 @@
 #include "gl/record/recorder.h"
 
+#include "gl/drawable/background.h"
 #include "gl/drawable/drawable.h"
-#include "gl/drawable/program_end.h"
 #include "gl/drawable/settings.h"
 #include "gl/record/recording.h"
 #include "gl/record/screenshot.h"

@@ -23,7 +23,7 @@ struct BufferObject {
     std::unique_ptr<std::byte, Free> bytes;  ///< null if size is 0 and it was never set
     GLenum usage = GL_STATIC_DRAW, access = GL_READ_WRITE;
     bool is_mapped = false;
-    /// Of a map; its range and how it is used. GL_ARB_map_buffer_range
+    /// The mapped range, and how it is used. GL_ARB_map_buffer_range
     struct Range {
         std::size_t offset = 0, length = 0;
         GLbitfield access = 0;

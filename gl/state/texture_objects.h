@@ -47,7 +47,7 @@ struct TextureImage {
     GLint internal_format = 1;  ///< as it was given; see stored_format()
     /// 4 a texel, 0 .. 65535 is 0 .. 1, bottom row first. Empty: none were given, fill() makes them.
     TexelValues texels;
-    /// Of a format of blocks; null: it is none, or the level was made of another one.
+    /// The blocks as they were given; null: the format has none, or the level was made of another one.
     std::shared_ptr<const std::vector<std::byte>> blocks;
     int depth = 1;  ///< slices, with the border
 

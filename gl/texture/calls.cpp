@@ -170,11 +170,8 @@ void bind_texture(Context& context, GLenum target, GLuint texture) {
 }
 
 void gen_textures(Context& context, GLsizei n, GLuint* textures) {
-    if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (textures == nullptr) return;
     const auto lock = context.shared->exclusive();
-    TextureNames& names = context.shared->textures;
-    reserve_names(names.named, names.free_names, n, textures);
+    gen_names(context, context.shared->textures, n, textures);
 }
 
 void delete_textures(Context& context, GLsizei n, const GLuint* textures) {

@@ -100,11 +100,8 @@ void unbind(Context& context, const BufferRef& buffer) {
 namespace execute {
 
 void gen_buffers(Context& context, GLsizei n, GLuint* buffers) {
-    if (n < 0) return set_error(context, GL_INVALID_VALUE);
-    if (buffers == nullptr) return;
     const auto lock = context.shared->exclusive();
-    BufferNames& names = context.shared->buffers;
-    reserve_names(names.named, names.free_names, n, buffers);
+    gen_names(context, context.shared->buffers, n, buffers);
 }
 
 void delete_buffers(Context& context, GLsizei n, const GLuint* buffers) {

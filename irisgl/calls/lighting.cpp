@@ -1,6 +1,6 @@
 // lmdef, lmbind, lmcolor and normals.
-#include "irisgl/draw/lighting.h"
 #include "irisgl/calls/shared.h"
+#include "irisgl/draw/apply.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
 

@@ -41,7 +41,7 @@ void setdepth(long near_, long far_);
 void define_light(short kind, short index, Values props);
 void normal(float x, float y, float z);
 void texture_coordinate(float s, float t, float r, float q);
-/// Of the planes that readsource names, from the lower left: indices, or R, G, B, A from the lowest byte.
+/// Pixels of the planes that readsource names, from the lower left: indices, or R lowest to A highest.
 /// Empty: more pixels than there can be.
 std::vector<std::uint32_t> read_rectangle(int left, int bottom, int width, int height);
 /// Words of a cursor of the type that curstype has chosen.

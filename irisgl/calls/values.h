@@ -18,10 +18,10 @@ using Values = std::span<const float>;
 
 /// An array of a fixed size. Null: all 0.
 template <std::size_t N>
-struct Kept {
+struct OwnValues {
     std::array<float, N> value{};
     template <class T>
-    explicit Kept(const T* from) {
+    explicit OwnValues(const T* from) {
         for (std::size_t i = 0; from != nullptr && i < N; ++i) value[i] = float(from[i]);
     }
     operator Values() const { return value; }

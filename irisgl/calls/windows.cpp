@@ -18,12 +18,12 @@ namespace {
 
 constexpr long default_width = 640, default_height = 480, screen_width = 1280, screen_height = 1024;
 
-struct Place {
+struct WindowPlace {
     long x, y, width, height;
 };
 
 /// Makes the longer side shorter.
-void fit_aspect(Place& p, long x, long y) {
+void fit_aspect(WindowPlace& p, long x, long y) {
     const double ratio = double(x) / double(y);
     if (double(p.width) > double(p.height) * ratio)
         p.width = long(double(p.height) * ratio);
@@ -31,10 +31,10 @@ void fit_aspect(Place& p, long x, long y) {
         p.height = long(double(p.width) / ratio);
 }
 
-Place take_hints() {
+WindowPlace take_hints() {
     const WindowHints h = std::exchange(program().hints, {});
-    Place p{h.x, h.y, h.width > 0 ? h.width : default_width,
-            h.height > 0 ? h.height : default_height};
+    WindowPlace p{h.x, h.y, h.width > 0 ? h.width : default_width,
+                  h.height > 0 ? h.height : default_height};
     p.width = std::max(p.width, h.min_width);
     p.height = std::max(p.height, h.min_height);
     if (h.max_width > 0) p.width = std::min(p.width, h.max_width);
@@ -77,7 +77,7 @@ long winopen(const std::string& title) {
     gl::start_recording();
     Program& p = program();
     const bool has_border = p.hints.has_border;
-    const Place at = take_hints();
+    const WindowPlace at = take_hints();
     long id = 1;
     while (p.windows.contains(id)) ++id;
     if (p.windows.empty()) std::atexit(show_at_exit);

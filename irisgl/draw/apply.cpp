@@ -1,7 +1,6 @@
 #include "irisgl/draw/apply.h"
 
 #include "gl/draw/submit.h"
-#include "irisgl/draw/lighting.h"
 #include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
 #include "irisgl/window/window.h"
@@ -181,8 +180,7 @@ void apply_buffers() {
 
 namespace {
 
-/// Of planes of `bits`, those that a mask of 8 bits stands for: as a colour of 8 bits becomes one of
-/// theirs.
+/// A mask of 8 bits as one of planes of `bits`: as a colour of 8 bits becomes one of theirs.
 std::uint16_t widened(unsigned mask, int bits) {
     return std::uint16_t(mask << (bits - 8) | mask >> (16 - bits));
 }

@@ -28,4 +28,11 @@ void write_all_bits();
 /// The state of the draw mode: other planes, other masks.
 void apply_draw_mode();
 
+/// The bound definitions of materials, lights and the model. Positions of lights are those of lmbind.
+void apply_materials();
+void apply_light(int number);
+void apply_light_model();
+/// lmcolor.
+void apply_color_mode();
+
 }  // namespace gw::irisgl

@@ -1,4 +1,5 @@
-#include "irisgl/draw/hollow.h"
+// PYM_HOLLOW: the pixels at a polygon's edge, in the colours that they have when it is filled.
+#include "irisgl/draw/primitives.h"
 
 #include "irisgl/draw/apply.h"
 #include "irisgl/draw/picking.h"

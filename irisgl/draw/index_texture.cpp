@@ -1,6 +1,7 @@
-#include "irisgl/draw/index_texture.h"
+// Shaded and lit indices: a texture of all indices rounds at each pixel.
+#include "irisgl/draw/primitives.h"
 
-#include "irisgl/draw/lighting.h"
+#include "irisgl/draw/apply.h"
 #include "irisgl/state/program.h"
 #include "irisgl/window/window.h"
 

@@ -1,6 +1,7 @@
-#include "irisgl/draw/lighting.h"
+// IRIS GL's materials, lights and lighting models in OpenGL.
+#include "irisgl/draw/apply.h"
 
-#include "irisgl/draw/index_texture.h"
+#include "irisgl/draw/primitives.h"
 #include "irisgl/state/program.h"
 #include "irisgl/window/window.h"
 

@@ -74,7 +74,7 @@ public:
         }
     }
 
-    /// Of the matrices now; the last one is kept.
+    /// The mover of the matrices now; the last one is kept.
     static const Mover& now() {
         const State& s = state();
         const dmat4& m = s.matrices.back();
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    /// Of x, y and w.
+    /// The row that makes x, y or w.
     dvec4 row_of(int i) const { return row(matrix_, i < 2 ? i : 3); }
     dvec4 smallest(const dvec4& move) const {
         const dvec3 parts = products_ * dvec3(move.x, move.y, move.w);

@@ -1,10 +1,7 @@
 #include "irisgl/draw/primitives.h"
 
 #include "irisgl/draw/apply.h"
-#include "irisgl/draw/hollow.h"
-#include "irisgl/draw/index_texture.h"
 #include "irisgl/draw/picking.h"
-#include "irisgl/draw/tessellate.h"
 #include "irisgl/state/program.h"
 
 #include <GL/gl.h>

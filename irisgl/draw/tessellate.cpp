@@ -1,4 +1,5 @@
-#include "irisgl/draw/tessellate.h"
+// Concave polygons as triangles. Does not know holes.
+#include "irisgl/draw/primitives.h"
 
 #include <cmath>
 #include <numeric>

@@ -91,7 +91,7 @@ class Parameter:
         """As a lambda keeps it."""
         if self.kind == "array":
             if self.fixed():
-                return f"{self.name} = Kept<{self.count}>({self.name})"
+                return f"{self.name} = OwnValues<{self.count}>({self.name})"
             return f"{self.name} = keep({self.name}, {self.count})"
         if self.kind == "string":
             return f"{self.name} = std::string({self.name} ? {self.name} : \"\")"

@@ -19,7 +19,7 @@ inline constexpr std::size_t queue_length = 101;
 inline constexpr unsigned parts_of_frame = 100'000, parts_of_poll = 100, parts_of_flush = 5'000,
                           parts_of_primitive = 10, parts_of_unshown_primitive = 1;
 
-/// Of mouse, dials and time; smaller numbers are buttons and keys.
+/// Mouse, dials and time are valuators; smaller numbers are buttons and keys.
 constexpr bool is_valuator(unsigned device) { return device >= 256 && device < 512; }
 
 struct Event {
@@ -74,5 +74,9 @@ void pass(unsigned parts);
 void next_frame();
 /// The device of this name, as LEFTMOUSE or AKEY; 0: there is none.
 unsigned device_named(const std::string& name);
+
+/// Lines "frame 3 LEFTMOUSE down 100 200": before frame 3 is drawn, in pixels of the window; a value
+/// is down, up, a number, or a character for KEYBD. A wrong line is reported and left out.
+std::deque<ScriptedEvent> read_script();
 
 }  // namespace gw::irisgl

@@ -38,7 +38,7 @@ struct ColorMap {
     ColorMap();
     std::array<MapEntry, 4096> entries{};
     std::map<unsigned, Blink> blinks;
-    /// Of overlay, underlay and pop-up planes, and of cursors.
+    /// The maps of overlay, underlay and pop-up planes, and of cursors.
     std::array<std::array<MapEntry, 256>, 4> aside{};
     bool is_multi = false;             ///< 16 maps of 256 entries each instead of one
     unsigned number = 0;               ///< setmap

@@ -1,4 +1,5 @@
-#include "irisgl/state/script.h"
+// The file of GW_INPUT: events for programs without a hand at the mouse.
+#include "irisgl/state/events.h"
 
 #include "gw/escape_controls.h"
 

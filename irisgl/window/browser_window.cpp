@@ -1,7 +1,6 @@
 // Windows on a page: canvases that web/engine/programs/screen.js opens, and the events that it has
 // kept. Compiled by Emscripten alone.
 #include "irisgl/window/host_window.h"
-#include "irisgl/window/key_devices.h"
 
 #include <emscripten.h>
 

@@ -1,7 +1,6 @@
 #include "irisgl/state/events.h"
 
 #include "irisgl/state/program.h"
-#include "irisgl/state/script.h"
 #include "irisgl/window/window.h"
 
 #include "gl/drawable/settings.h"

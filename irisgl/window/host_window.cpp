@@ -2,7 +2,6 @@
 
 #include "gl/x11/geometry.h"
 #include "gl/x11/shown_image.h"
-#include "irisgl/window/key_devices.h"
 
 #include <X11/Xutil.h>
 #include <X11/cursorfont.h>

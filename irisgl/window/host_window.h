@@ -1,6 +1,7 @@
 // A window on a screen: X11, or none. Does not know the machine.
 #pragma once
 
+#include "irisgl/include/gl/device.h"
 #include "irisgl/state/cursor_image.h"
 
 #include <cstdint>
@@ -44,5 +45,12 @@ void wait_for_screen(int milliseconds);
 /// Null: no screen. `y` is of the lower row, from the bottom of the screen.
 std::unique_ptr<HostWindow> make_host_window(const std::string& title, int x, int y, int width,
                                              int height, bool has_border);
+
+/// The devices of the keys of letters and digits.
+inline constexpr unsigned letter_keys[] = {AKEY, BKEY, CKEY, DKEY, EKEY, FKEY, GKEY, HKEY, IKEY,
+                                           JKEY, KKEY, LKEY, MKEY, NKEY, OKEY, PKEY, QKEY, RKEY,
+                                           SKEY, TKEY, UKEY, VKEY, WKEY, XKEY, YKEY, ZKEY};
+inline constexpr unsigned digit_keys[] = {ZEROKEY, ONEKEY, TWOKEY,   THREEKEY, FOURKEY,
+                                          FIVEKEY, SIXKEY, SEVENKEY, EIGHTKEY, NINEKEY};
 
 }  // namespace gw::irisgl

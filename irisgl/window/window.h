@@ -1,5 +1,5 @@
-// A window of IRIS GL: a machine of its size, its state, further planes, and how its picture is shown:
-// through the colour map, with overlay and pop-up planes on top.
+// A window of IRIS GL: a machine of its size, its state, further planes. Its picture is shown through
+// the colour map, with overlay and pop-up planes on top.
 #pragma once
 
 #include "gl/context/context.h"
@@ -37,7 +37,7 @@ public:
 
     long id() const { return id_; }
     HostWindow* host() const { return host_.get(); }
-    /// Of the lower left pixel, on the screen of 1280 x 1024.
+    /// The lower left pixel on the screen of 1280 x 1024.
     int x = 0, y = 0;
     int screen_x = 0, screen_y = 0, old_width = 0, old_height = 0;  ///< fullscrn
 
@@ -64,10 +64,9 @@ public:
     const Planes& shown() override;
     gl::ShownIndices shown_indices() const override;
 
-    bool has_overlay() const { return aside_[0] != nullptr; }
     int aside_bits(int which) const { return aside_bits_[std::size_t(which)]; }
     void set_aside_bits(int which, long bits);
-    /// Of an index that is shown.
+    /// The bits of an index that is shown.
     int aside_index_bits(std::size_t which) const { return std::max(aside_bits_[which], 2); }
 
 private:
