@@ -10,7 +10,7 @@
 
 namespace gw::conformance {
 
-/// Those that have recordings, in the order of the manual's chapters.
+/// The groups that have recordings, in the order of the manual's chapters.
 const std::vector<Group>& groups();
 
 struct Member {

@@ -75,8 +75,8 @@ HitShadows::HitShadows(Machine& machine, const scene::Scene& scene, int width, i
     for (const auto& maps : maps_) lookups_.emplace_back(maps, machine.profile());
 }
 
-/// Data kept from one sample to the next.
-struct Kept {
+/// What one sample leaves to the next.
+struct TracingCache {
     scene::Scene scene;  ///< with the materials as the file has them
     Options options;
     std::shared_ptr<const raytrace::World> world;
@@ -109,24 +109,25 @@ multipass::PassList passes_with_tracing(const scene::Scene& scene,
 }
 
 multipass::Trace tracing(const scene::Scene& scene, const Options& options) {
-    const auto kept = std::make_shared<Kept>();
-    kept->scene = scene;
-    kept->options = options;
-    kept->world = options.world;
-    kept->scene.background = options.background.value_or(scene.background);
-    return [kept](Machine& machine, const scene::Scene& now, const scene::View& view,
-                  const JitterState& jitter) {
-        kept->move_to(machine, now, view);
+    const auto cache = std::make_shared<TracingCache>();
+    cache->scene = scene;
+    cache->options = options;
+    cache->world = options.world;
+    cache->scene.background = options.background.value_or(scene.background);
+    return [cache](Machine& machine, const scene::Scene& now, const scene::View& view,
+                   const JitterState& jitter) {
+        cache->move_to(machine, now, view);
         const auto ids = scene::draw_item_buffer(machine, now, view, jitter);
-        raytrace::TraceOptions rays{.depth = kept->options.depth, .threads = kept->options.threads};
-        if (kept->shadows)
+        raytrace::TraceOptions rays{.depth = cache->options.depth,
+                                    .threads = cache->options.threads};
+        if (cache->shadows)
             rays.in_shadow = [&](std::size_t light, const scene::TrianglePoint& at) {
-                return kept->shadows->in_shadow(light, at);
+                return cache->shadows->in_shadow(light, at);
             };
-        const raytrace::Tracer tracer(kept->scene, *kept->world, view, rays);
+        const raytrace::Tracer tracer(cache->scene, *cache->world, view, rays);
         TracedComponent traced =
             traced_component(tracer, now, view, ids, jitter, machine.profile());
-        if (kept->options.counts) kept->options.counts->add(traced.counts);
+        if (cache->options.counts) cache->options.counts->add(traced.counts);
         return std::move(traced.color);
     };
 }

@@ -15,7 +15,7 @@ import tempfile
 package, osmesa, version = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 output = pathlib.Path(sys.argv[4])
 root = pathlib.Path(__file__).resolve().parent.parent
-# Of every Linux, or bound to its loader: these are the system's.
+# The system's: every Linux has them, or they are bound to its loader.
 system = re.compile(r"lib(c|m|dl|rt|pthread|gcc_s|stdc\+\+)\.so|ld-linux")
 
 

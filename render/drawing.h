@@ -48,7 +48,7 @@ scene::Camera with_options(const scene::Camera& camera, const scene::CameraOverr
 /// and shadows changed. Throws OptionError as with_options does.
 scene::Scene scene_for(const Request& request, SceneInput input);
 
-/// That scene with its profile. Its passes replace those of the renderer multipass only. Throws
+/// The ready scene with its profile. Its passes replace those of the renderer multipass only. Throws
 /// OptionError also if the profile cannot superpose the samples.
 Drawing make_drawing(const Request& request, const Profile& profile, SceneInput input);
 
@@ -62,7 +62,7 @@ std::string empty_warning(const Drawing& drawing, Machine& machine);
 Profile load_profile(const Request& request);
 void check_samples(const Request& request, const Profile& profile);
 
-/// Of the request's size and threads.
+/// A machine of the request's size and threads.
 std::unique_ptr<Machine> make_machine(const Request& request, const Profile& profile);
 
 /// Draws one picture into the machine's colour plane: the samples, superposed. The view is as large

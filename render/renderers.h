@@ -30,7 +30,7 @@ struct Renderer {
     std::string about;  ///< a few words for --help
     /// Leaves the picture in the machine's colour plane. The view is as large as its window.
     std::function<void(Machine&, const scene::Scene&, const scene::View&, const DrawOptions&)> draw;
-    /// Of the pass list that it draws; none: it has no passes and components to show.
+    /// The owner of the pass list that it draws; none: it has no passes and components to show.
     std::optional<multipass::Renderer> pass_owner;
     /// Names of scene effects that it does not draw.
     std::vector<std::string> leaves_out{};

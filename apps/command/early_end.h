@@ -1,5 +1,5 @@
-// How a process ends early: by a signal during long work, or in a library that runs out of memory in a
-// function that must not throw.
+// How a process ends early: by a signal during long work, or for lack of memory in a function that must
+// not throw.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 
 namespace gw::apps {
 
-/// As `shown`, but keeps newlines and tabs.
+/// As escape_controls, but keeps newlines and tabs.
 std::string without_controls(std::string_view text);
 /// Shown on one line: a text of more than two screens loses its middle. (A library's message may
 /// repeat a whole file.) Newlines at the end are left out.

@@ -13,8 +13,8 @@
 
 namespace gw::apps {
 
-/// What a manifest says of a pass: digests of its state, with its parameter set, of its counters
-/// and of its planes, in the order of `digest_columns`; "-": the machine has no such plane.
+/// What a manifest says of a pass, in the order of `digest_columns`: digests of its state with its
+/// parameter set, of its counters, of its planes. "-": the machine has no such plane.
 struct PassDigests {
     std::string name;
     std::vector<std::string> digests;

@@ -221,7 +221,7 @@ public:
             json[graded.name] = nlohmann::ordered_json::parse(results_json(graded));
         return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     }
-    /// Of one submission: what its student reads.
+    /// What the student of one submission reads; of several, a table.
     std::string text() const {
         if (!options_.single) return table(rows());
         std::string text;

@@ -57,7 +57,7 @@ std::string with_errors(const std::string& what, const LimitedRun& run) {
     return run.err.empty() ? what : what + " It printed on stderr:\n" + run.err;
 }
 
-/// Of a program that gave no answer.
+/// The mark of a program that gave no answer; none: it gave one.
 std::optional<Mark> mark_without_answer(const Grading& grading, const LimitedRun& run) {
     constexpr std::size_t megabyte = std::size_t{1} << 20;
     const Mark endless{

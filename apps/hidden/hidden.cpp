@@ -141,7 +141,7 @@ void check(const HiddenOptions& options) {
         throw UsageError("--compare compares all algorithms; expected no --algorithm");
 }
 
-std::vector<const hs::Algorithm*> wanted(const HiddenOptions& options) {
+std::vector<const hs::Algorithm*> chosen_algorithms(const HiddenOptions& options) {
     std::vector<const hs::Algorithm*> all;
     for (const std::string& name : options.algorithms) all.push_back(&hs::algorithm_named(name));
     if (!all.empty()) return all;
@@ -155,7 +155,7 @@ std::vector<const hs::Algorithm*> within_limit(const HiddenOptions& options,
                                                const hs::Input& input) {
     std::vector<const hs::Algorithm*> within;
     std::string last;
-    for (const hs::Algorithm* algorithm : wanted(options)) {
+    for (const hs::Algorithm* algorithm : chosen_algorithms(options)) {
         const hs::Estimate estimate = hs::estimate(*algorithm, input);
         if (!hs::is_beyond(estimate, options.limit)) {
             within.push_back(algorithm);

@@ -100,7 +100,8 @@ void put_all_steps(image::OutputSet& output, const HiddenOptions& options, const
 }
 
 /// Throws Error if one of them would take too long.
-std::vector<const hs::LineAlgorithm*> wanted(const HiddenOptions& options, const hs::Input& input) {
+std::vector<const hs::LineAlgorithm*> chosen_algorithms(const HiddenOptions& options,
+                                                        const hs::Input& input) {
     std::vector<const hs::LineAlgorithm*> all;
     for (const std::string& name : options.algorithms) {
         all.push_back(hs::line_algorithm_named(name));
@@ -125,7 +126,7 @@ int hidden_lines(const HiddenOptions& options, Session& session) {
     const hs::Input input = hs::make_input(scene, view, profile);
     progress.at("estimating");
     std::vector<Drawn> all;
-    for (const hs::LineAlgorithm* algorithm : wanted(options, input)) {
+    for (const hs::LineAlgorithm* algorithm : chosen_algorithms(options, input)) {
         progress.at(algorithm->name);
         hs::StepLog log = options.steps.empty() ? hs::StepLog() : hs::StepLog(options.level);
         hs::LineResult result = hs::run_on(*machine, *algorithm, input, log);

@@ -20,7 +20,7 @@ inline PictureOptions polygon_options() { return {{.size = {320, 240}}}; }
 
 struct HiddenOptions {
     PictureOptions picture = polygon_options();
-    /// Of surfaces or of lines: one, or two side by side; empty: all hidden-surface algorithms.
+    /// One, or two side by side, all of surfaces or of lines. Empty: all hidden-surface algorithms.
     std::vector<std::string> algorithms;
     double limit = 300;  ///< the longest estimated time of a run in seconds; 0: none
     std::filesystem::path steps, compare;

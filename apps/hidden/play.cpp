@@ -64,7 +64,7 @@ std::string polygons_text(const std::vector<hs::PolygonGrade>& polygons) {
     return "\n" + table(rows) + (more > 0 ? fmt::format("and {} more\n", more) : "");
 }
 
-/// Those with most_lines wrong pixels first.
+/// The steps to blame, those with most wrong pixels first.
 std::string blame_text(std::vector<hs::Blame> blame, int height) {
     std::ranges::stable_sort(blame, std::ranges::greater(), &hs::Blame::pixels);
     std::string text = blame.empty() ? "" : "\n";

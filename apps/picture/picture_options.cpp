@@ -2,7 +2,6 @@
 
 #include "apps/command/command_recorder.h"
 #include "apps/command/terminal.h"
-#include "apps/picture/scene_warnings.h"
 #include "gw/error.h"
 #include "image/textures.h"
 #include "multipass/passes/pass_toml.h"
@@ -103,6 +102,16 @@ std::unique_ptr<Machine> make_machine(const render::Request& request, const Prof
                                       const Session& session) {
     return recorded(render::make_machine(request, profile), request.size.width, request.size.height,
                     session.recorder);
+}
+
+void print_warnings_of(const scene::Scene& scene, const Size& size, scene::DrawnBy by) {
+    const scene::View view = scene::make_view(scene, size.width, size.height);
+    print_warnings(scene::warnings_of(scene, view, by));
+}
+
+void print_warnings(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines)
+        if (!line.empty()) print_warning(line);
 }
 
 }  // namespace gw::apps

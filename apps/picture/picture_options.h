@@ -11,6 +11,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gw::apps {
 
@@ -48,5 +50,11 @@ Drawing make_drawing(const PictureOptions& options, Session& session);
 /// The machine, added to the session's recorder if it has one.
 std::unique_ptr<Machine> make_machine(const render::Request& request, const Profile& profile,
                                       const Session& session);
+
+/// What a picture of the scene will not show right, for its own camera.
+void print_warnings_of(const scene::Scene& scene, const Size& size, scene::DrawnBy by);
+
+/// A warning for each line that is not empty.
+void print_warnings(const std::vector<std::string>& lines);
 
 }  // namespace gw::apps

@@ -2,7 +2,6 @@
 #include "apps/command/command.h"
 #include "apps/command/option_values.h"
 #include "apps/command/terminal.h"
-#include "apps/programs/folder_beside.h"
 #include "apps/programs/program.h"
 #include "apps/programs/results.h"
 #include "gw/error.h"

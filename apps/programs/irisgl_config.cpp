@@ -1,6 +1,6 @@
 // gw irisgl-config: how a program of IRIS GL is compiled.
 #include "apps/command/command.h"
-#include "apps/programs/folder_beside.h"
+#include "apps/programs/program.h"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -15,7 +15,7 @@ struct IrisGlOptions {
     bool cflags = false, libs = false;
 };
 
-std::string words_of(const IrisGlOptions& options) {
+std::string compiler_words(const IrisGlOptions& options) {
     const bool all = !options.cflags && !options.libs;
     std::string words;
     if (options.cflags || all) {
@@ -44,7 +44,7 @@ Command add_irisgl_config(CLI::App& app) {
     command->add_flag("--libs", options->libs, "Those of linking");
     command->footer("Example:\n  build/release/bin/gw irisgl-config --cflags --libs");
     return {command, [options](Session&) {
-                fmt::print("{}\n", words_of(*options));
+                fmt::print("{}\n", compiler_words(*options));
                 return int(Done);
             }};
 }

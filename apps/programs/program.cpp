@@ -14,7 +14,6 @@
 #include <ctime>
 
 namespace gw::apps {
-
 namespace {
 
 constexpr std::array ending_signals{SIGINT, SIGTERM, SIGHUP};
@@ -128,6 +127,16 @@ int run_program(const std::vector<std::string>& words,
     running_program = child;
     PassedSignals::deliver();
     return wait_for_end(child, each_second);
+}
+
+namespace fs = std::filesystem;
+
+fs::path folder_beside(std::initializer_list<const char*> folders, const char* file) {
+    const fs::path root = fs::canonical("/proc/self/exe").parent_path().parent_path();
+    for (const char* folder : folders)
+        if (fs::exists(root / folder / file)) return root / folder;
+    throw Error((root / *folders.begin() / file).string() +
+                ": cannot be read: no such file; expected gw's libraries beside the command");
 }
 
 }  // namespace gw::apps

@@ -1,7 +1,9 @@
-// Runs another program and waits for it. Does not read its output.
+// Other programs: runs one and waits for it, and finds gw's libraries for it. Does not read its output.
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,5 +16,8 @@ namespace gw::apps {
 int run_program(const std::vector<std::string>& words,
                 const std::vector<std::pair<std::string, std::string>>& variables,
                 const std::function<void()>& each_second);
+
+/// The first of `folders`, beside the command's, that has the file. Throws Error if none has it.
+std::filesystem::path folder_beside(std::initializer_list<const char*> folders, const char* file);
 
 }  // namespace gw::apps

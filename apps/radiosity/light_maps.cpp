@@ -20,8 +20,8 @@ namespace gw::apps {
 namespace {
 
 /// As a display shows it: `scale` times the radiosity, clamped, encoded as in sRGB.
-image::Picture shown(const radiosity::AtlasPage& page, const std::vector<float>& radiosities,
-                     double scale) {
+image::Picture display_picture(const radiosity::AtlasPage& page,
+                               const std::vector<float>& radiosities, double scale) {
     image::Picture picture{page.width, page.height, 3, 8, {}};
     for (std::size_t i = 0; i < radiosities.size(); i += 3) {
         const vec3 color =
@@ -100,7 +100,8 @@ std::string put_light_maps(const RadiosityOptions& options, const scene::Scene& 
             image::put_picture(files.add(options.output / out.pictures.back().rgbm),
                                in_rgbm(page, values, scale, options.rgbm));
         }
-        image::put_picture(files.add(options.output / (name + ".png")), shown(page, values, scale));
+        image::put_picture(files.add(options.output / (name + ".png")),
+                           display_picture(page, values, scale));
         put_page(options, page, std::move(values), name, files);
     }
     OwnTextures textures(options.output / prefix);

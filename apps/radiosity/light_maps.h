@@ -1,5 +1,5 @@
-// A solution as light maps for other programs: glTF 2.0 with a second set of texture coordinates, the
-// radiosities as EXR, and as PNG that shows them. Does not solve.
+// A solution as light maps for other programs: glTF 2.0 with a second set of texture coordinates, and
+// the radiosities as EXR and as a PNG to look at. Does not solve.
 #pragma once
 
 #include "apps/radiosity/pictures.h"

@@ -66,7 +66,7 @@ std::filesystem::path with_ending(std::filesystem::path stem, const char* ending
     return stem += ending;
 }
 
-/// Of all texels, or of those only that do not emit; channels apart.
+/// The largest channel of all texels, or of those only that do not emit.
 double brightest(const radiosity::PixmapModel& model, const radiosity::DisplayedPixmaps& colors,
                  bool emitters) {
     double most = 0;

@@ -4,7 +4,7 @@
 #include "apps/command/early_end.h"
 #include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/picture/scene_warnings.h"
+#include "apps/picture/picture_options.h"
 #include "apps/radiosity/files.h"
 #include "apps/radiosity/light_maps.h"
 #include "apps/radiosity/lux.h"

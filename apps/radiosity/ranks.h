@@ -1,4 +1,4 @@
-// Processes of one launch, mpirun's or srun's, that solve radiosity together: they find each other by a
+// Processes of one launch, mpirun's or srun's, that solve radiosity together. They find each other by a
 // file in the output folder and talk by TCP. Does not know what they say.
 #pragma once
 

@@ -3,7 +3,6 @@
 #include "apps/command/table.h"
 #include "apps/command/terminal.h"
 #include "apps/picture/picture_options.h"
-#include "apps/picture/scene_warnings.h"
 #include "gw/error.h"
 #include "image/output/output_set.h"
 #include "image/plane_pictures.h"

@@ -35,7 +35,7 @@ std::vector<std::string> words_of_film(const Drawing& drawing, const scene::Film
     std::vector<std::string> words{
         record_line,
         "version " + version(),
-        "scene " + digest_of(session.inputs.names()),
+        "scene " + digest_of_files(session.inputs.names()),
         fmt::format("size {}x{}", size.width, size.height),
         "animation " + scene::printable(film.name, 200),
         fmt::format("rate {}", film.rate),

@@ -18,7 +18,7 @@ std::vector<std::string> words_of_film(const Drawing& drawing, const scene::Film
 
 class FilmRecord {
 public:
-    /// Of pictures IMAGE_001 ...: "planet.png.film". Throws Error if it is no record.
+    /// The record of pictures IMAGE_001 ... is "planet.png.film". Throws Error if it is none.
     FilmRecord(const std::filesystem::path& picture, std::vector<std::string> words);
 
     bool is_there() const { return !found_.empty(); }

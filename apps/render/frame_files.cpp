@@ -3,7 +3,7 @@
 #include "apps/command/command_recorder.h"
 #include "apps/command/folder_index.h"
 #include "apps/command/terminal.h"
-#include "apps/picture/scene_warnings.h"
+#include "apps/picture/picture_options.h"
 #include "apps/recordings/recording_files.h"
 #include "image/planes.h"
 #include "image/write.h"

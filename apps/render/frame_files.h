@@ -17,7 +17,7 @@ struct FrameFiles {
     image::Tone tone;  ///< of the picture and the components
 };
 
-/// Of a series: "rings.png" becomes "rings_007.png".
+/// The file of a series: "rings.png" becomes "rings_007.png".
 std::filesystem::path numbered(const std::filesystem::path& file, int number);
 
 /// Warns of an empty picture unless quiet. Throws Error; then no new file exists.

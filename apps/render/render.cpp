@@ -3,9 +3,10 @@
 #include "apps/command/peak_memory.h"
 #include "apps/command/terminal.h"
 #include "apps/picture/picture_options.h"
-#include "apps/render/draw_part.h"
 #include "apps/render/film.h"
 #include "apps/render/frame_files.h"
+#include "apps/render/part_file.h"
+#include "apps/render/request_words.h"
 #include "apps/render/tone_options.h"
 #include "apps/render/video.h"
 #include "gw/error.h"
@@ -42,6 +43,35 @@ void draw_turntable(Drawing& drawing, const FrameFiles& files, int pictures,
                            image::toned(picture, files.tone));
         output.commit();
     }
+}
+
+/// The rows of one part of a picture that several processes draw. Throws UsageError if the picture has
+/// fewer rows than parts, Error if the file cannot be written.
+void draw_part(const Drawing& drawing, const Share& share, const std::filesystem::path& file,
+               const Session& session) {
+    const render::Size size = drawing.request.size;
+    if (share.of > size.height)
+        throw UsageError(
+            fmt::format("--part {}: the picture has {} rows; expected at most as many parts",
+                        to_string(share), size.height));
+    scene::View view = drawing.view();
+    const scene::Rows rows = rows_of(share, size.height);
+    view.only_rows = rows;
+    const auto machine = make_machine(drawing.request, drawing.profile, session);
+    render::draw(drawing, view, *machine);
+    const std::vector<Rgba>& color = machine->planes().color;
+    const auto row = [&](int y) { return color.begin() + std::ptrdiff_t(view.index(0, y)); };
+    const Part part{.file = file,
+                    .version = version(),
+                    .scene = digest_of_files(session.inputs.names()),
+                    .share = share,
+                    .size = size,
+                    .bits = drawing.profile.color_bits,
+                    .options = words_of(drawing.request),
+                    .color = {row(rows.first), row(rows.end)}};
+    image::OutputSet output(session.inputs);
+    output.add(file).write_text(encode(part));
+    output.commit();
 }
 
 constexpr int most_film_pictures = 99999;

@@ -14,7 +14,7 @@ bool changes_pixels(const std::string& option) {
 
 }  // namespace
 
-std::string digest_of(const std::vector<std::filesystem::path>& files) {
+std::string digest_of_files(const std::vector<std::filesystem::path>& files) {
     std::string all;
     for (const std::filesystem::path& file : files) {
         const std::string bytes = scene::read_bytes(file);

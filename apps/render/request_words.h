@@ -11,8 +11,8 @@
 
 namespace gw::apps {
 
-/// Of the contents of all files, in the order in which they were read.
-std::string digest_of(const std::vector<std::filesystem::path>& files);
+/// A digest of all contents, in the order in which the files were read.
+std::string digest_of_files(const std::vector<std::filesystem::path>& files);
 
 /// Names and words of the options that change pixels, but for the size, in the order of help.
 std::vector<std::pair<std::string, std::string>> words_of(const render::Request& request);

@@ -12,7 +12,7 @@ namespace gw::apps {
 /// cannot be written or ffmpeg is not there. Call it before long work.
 void check_video(const std::filesystem::path& video);
 
-/// Of pictures IMAGE_001 ..., first to last, `rate` a second. The file appears whole or not at all.
+/// Shows pictures IMAGE_001 ..., first to last, `rate` a second. The file appears whole or not at all.
 /// Throws Error.
 void make_video(const std::filesystem::path& video, const std::filesystem::path& picture,
                 std::pair<int, int> first_last, double rate, const Session& session);

@@ -1,7 +1,7 @@
 // The error of N superposed pictures [K1, K3.3, K4a] against many more, for N = 2, 4, 8, ...
 // In theory, the error of N random samples of an edge falls like N^(-1/2). That of N samples spread
-// well in d dimensions falls like N^(-1/2 - 1/(2d)) (Mitchell 1996): N^(-3/4) if the place in the
-// pixel varies, N^(-5/8) if the place on the lamp varies too.
+// well in d dimensions falls like N^(-1/2 - 1/(2d)) (Mitchell 1996). This is N^(-3/4) if the place in
+// the pixel varies, N^(-5/8) if the place on the lamp varies too.
 #pragma once
 
 #include "apps/study/difference.h"

@@ -42,7 +42,7 @@ void add_counts(Frame& frame, const Counts& counts, const Names& names) {
 }  // namespace
 
 /// What stays from frame to frame.
-struct FrameDrawer::Kept {
+struct FrameDrawer::Cache {
     std::string machine_key;
     std::unique_ptr<Machine> machine;
     std::string key;                          ///< of the last picture
@@ -57,7 +57,7 @@ FrameDrawer::FrameDrawer(scene::Scene scene, std::optional<multipass::PassList> 
     : scene_(std::move(scene)),
       own_passes_(std::move(own_passes)),
       profiles_(std::move(profiles)),
-      kept_(std::make_unique<Kept>()) {}
+      cache_(std::make_unique<Cache>()) {}
 
 FrameDrawer::~FrameDrawer() = default;
 
@@ -68,7 +68,7 @@ Frame FrameDrawer::timed(const Settings& settings, const std::function<void(Fram
         work(frame);
     } catch (const Error& error) {
         frame.fault = error.what();
-        kept_ = std::make_unique<Kept>();
+        cache_ = std::make_unique<Cache>();
     }
     frame.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return frame;
@@ -85,13 +85,13 @@ Machine& FrameDrawer::machine_for(const Settings& settings) {
     const PictureOptions& options = settings.picture;
     const std::string key =
         fmt::format("{} {} {}", options.profile, options.size.width, options.size.height);
-    if (key != kept_->machine_key) {
-        kept_ = std::make_unique<Kept>();
-        kept_->machine = render::make_machine(options, profiles_.at(options.profile));
-        kept_->machine_key = key;
+    if (key != cache_->machine_key) {
+        cache_ = std::make_unique<Cache>();
+        cache_->machine = render::make_machine(options, profiles_.at(options.profile));
+        cache_->machine_key = key;
     }
-    kept_->machine->reset_passes();
-    return *kept_->machine;
+    cache_->machine->reset_passes();
+    return *cache_->machine;
 }
 
 void FrameDrawer::add_passes(Frame& frame, const std::map<std::string, std::string>& sets,
@@ -108,21 +108,21 @@ Frame FrameDrawer::draw(const Settings& settings) {
     return timed(settings, [&](Frame& frame) {
         Machine& machine = machine_for(settings);
         const std::string key = key_of(settings);
-        if (key != kept_->key) {
-            kept_->draw = nullptr;
-            kept_->key = key;
-            kept_->drawing = std::make_unique<Drawing>(drawing_of(settings));
-            kept_->bounds = scene::bounds(kept_->drawing->scene);
-            kept_->sets = render::parameter_sets(*kept_->drawing);
-            kept_->draw = render::view_drawer(*kept_->drawing, machine);
+        if (key != cache_->key) {
+            cache_->draw = nullptr;
+            cache_->key = key;
+            cache_->drawing = std::make_unique<Drawing>(drawing_of(settings));
+            cache_->bounds = scene::bounds(cache_->drawing->scene);
+            cache_->sets = render::parameter_sets(*cache_->drawing);
+            cache_->draw = render::view_drawer(*cache_->drawing, machine);
             machine.reset_passes();
         }
-        kept_->drawing->scene.camera = settings.camera;
+        cache_->drawing->scene.camera = settings.camera;
         const auto [width, height] = settings.picture.size;
-        kept_->draw(scene::fitted_view(settings.camera, kept_->drawing->scene, kept_->bounds, width,
-                                       height));
+        cache_->draw(scene::fitted_view(settings.camera, cache_->drawing->scene, cache_->bounds,
+                                        width, height));
         frame.picture = picture_of(machine);
-        add_passes(frame, kept_->sets, machine);
+        add_passes(frame, cache_->sets, machine);
     });
 }
 
@@ -168,7 +168,7 @@ std::string FrameDrawer::hidden_picture(Machine& machine, const std::string& alg
 Frame FrameDrawer::draw_hidden(const Settings& settings, const std::string& algorithm) {
     return timed(settings, [&](Frame& frame) {
         Machine& machine = machine_for(settings);
-        kept_->key.clear();
+        cache_->key.clear();
         const std::string title =
             hidden_picture(machine, algorithm, scene_of(scene_, settings), frame);
         frame.notes.insert(frame.notes.begin(), title);

@@ -53,7 +53,7 @@ public:
     Frame draw_hidden(const Settings& settings, const std::string& algorithm);
 
 private:
-    struct Kept;
+    struct Cache;
     Frame timed(const Settings& settings, const std::function<void(Frame&)>& work);
     Drawing drawing_of(const Settings& settings) const;
     Machine& machine_for(const Settings& settings);
@@ -65,7 +65,7 @@ private:
     scene::Scene scene_;
     std::optional<multipass::PassList> own_passes_;
     std::map<std::string, Profile> profiles_;
-    std::unique_ptr<Kept> kept_;
+    std::unique_ptr<Cache> cache_;
 };
 
 }  // namespace gw::apps

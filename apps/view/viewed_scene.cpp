@@ -1,6 +1,5 @@
 #include "apps/view/viewed_scene.h"
 
-#include "apps/picture/scene_warnings.h"
 #include "scene/validate/slivers.h"
 
 namespace gw::apps {

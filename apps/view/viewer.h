@@ -3,10 +3,10 @@
 #pragma once
 
 #include "apps/view/frame_drawer.h"
-#include "apps/view/input.h"
 #include "apps/view/light_drawer.h"
 #include "apps/view/screen.h"
 #include "apps/view/viewed_scene.h"
+#include "apps/view/window.h"
 
 #include <array>
 #include <chrono>

@@ -22,6 +22,13 @@ Digest commands_content(const Recording& recording) {
                                    .lists = recording.lists}));
 }
 
+/// The parameter set of a pass; "" if unknown.
+std::string set_of(const Recording& recording, const std::string& pass) {
+    for (const ParameterSet& s : recording.sets)
+        if (s.pass == pass) return s.set;
+    return "";
+}
+
 bool makes_fragments(const Command& command) {
     return std::holds_alternative<Draw>(command) || std::holds_alternative<WriteSpans>(command) ||
            std::holds_alternative<WritePixels>(command) ||

@@ -1,6 +1,6 @@
 // A pbuffer of an X server. Xlib is found through the library that links it.
 #include "gw/error.h"
-#include "inspect/peer/surfaces.h"
+#include "inspect/peer/surface.h"
 
 #include <fmt/format.h>
 

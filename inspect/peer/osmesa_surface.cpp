@@ -1,5 +1,5 @@
 #include "gw/error.h"
-#include "inspect/peer/surfaces.h"
+#include "inspect/peer/surface.h"
 
 #include <GL/osmesa.h>
 #include <fmt/format.h>

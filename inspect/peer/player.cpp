@@ -7,8 +7,8 @@
 #include "inspect/peer/commands.h"
 #include "inspect/peer/framebuffers.h"
 #include "inspect/peer/gl.h"
-#include "inspect/peer/library.h"
 #include "inspect/peer/occlusion.h"
+#include "inspect/peer/surface.h"
 #include "inspect/peer/textures.h"
 
 #include <fmt/format.h>

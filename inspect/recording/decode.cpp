@@ -6,6 +6,7 @@
 #include "inspect/recording/file_draws.h"
 #include "inspect/recording/file_values.h"
 #include "inspect/recording/part.h"
+#include "inspect/recording/read_bytes.h"
 #include "inspect/recording/recording.h"
 
 #include <algorithm>
@@ -325,6 +326,11 @@ Part decoded(std::span<const std::uint8_t> bytes, DecodedValues& values, const L
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> read_recording_bytes(const std::filesystem::path& file) {
+    return read_bytes(file, {[](std::string_view bytes) { return has_identifier(bytes, "GWT1"); },
+                             "not a recording; expected a file that gw record wrote"});
+}
 
 Recording decode(std::span<const std::uint8_t> bytes, const Limits& limits) {
     DecodedValues values;

@@ -36,9 +36,6 @@ struct Recording {
     std::vector<std::optional<ColorMap>> color_maps;
 };
 
-/// The parameter set of a pass; "" if unknown.
-std::string set_of(const Recording& recording, const std::string& pass);
-
 /// The newest version of the schema that `decode` reads. `encode` writes the oldest that holds what
 /// is recorded.
 inline constexpr std::uint32_t newest_version = 2;

@@ -57,7 +57,7 @@ private:
 };
 
 /// The position of a vertex in the window; none: before the near plane.
-struct Place {
+struct CellPlace {
     dvec2 p{0};
     bool behind = false;
 };
@@ -69,7 +69,7 @@ public:
         : port_(placed.state.viewport),
           clip_from_object_(product(placed.state.projection, placed.eye_from_object[part])) {}
 
-    Place at(const dvec3& p) const {
+    CellPlace at(const dvec3& p) const {
         const dvec4 c = transform(clip_from_object_, dvec4(p, 1));
         if (!(c.z > -c.w) || !(c.w > 0)) return {.behind = true};
         return {{port_.x + (c.x / c.w + 1) / 2 * port_.width,
@@ -84,7 +84,7 @@ private:
 bool may_touch(const Cells& cells, const PartPlaces& places, const scene::Bounds& box) {
     dvec2 low(infinity), high(-infinity);
     for (int i = 0; i < 8; ++i) {
-        const Place at = places.at(corner(box, i));
+        const CellPlace at = places.at(corner(box, i));
         if (at.behind) return true;
         low = glm::min(low, at.p);
         high = glm::max(high, at.p);
@@ -92,7 +92,7 @@ bool may_touch(const Cells& cells, const PartPlaces& places, const scene::Bounds
     return cells.any(low - slack, high + slack);
 }
 
-bool may_touch(const Cells& cells, const std::vector<Place>& at, const Triangle& triangle) {
+bool may_touch(const Cells& cells, const std::vector<CellPlace>& at, const Triangle& triangle) {
     const auto& [a, b, c] = triangle.vertex;
     if (at[a].behind || at[b].behind || at[c].behind) return true;
     const dvec2 low = glm::min(glm::min(at[a].p, at[b].p), at[c].p),
@@ -106,7 +106,7 @@ std::vector<std::uint32_t> triangles_near(const Cells& cells, const PlacedModel&
     const PartPlaces places(placed, part);
     if (!may_touch(cells, places, placed.model->parts[part].box)) return near_ties;
     const Mesh& mesh = *placed.model->parts[part].mesh;
-    std::vector<Place> at;
+    std::vector<CellPlace> at;
     at.reserve(mesh.vertex_count());
     for (const vec3& p : mesh.data().positions) at.push_back(places.at(dvec3(p)));
     const auto triangles = mesh.triangles();

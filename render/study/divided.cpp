@@ -41,7 +41,7 @@ private:
         if (!values.empty()) values.push_back((values[a] + values[b]) * 0.5f);
     }
 
-    /// Of either order of the two.
+    /// The vertex between the two, in either order.
     std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
         const std::uint64_t side = std::uint64_t(std::min(a, b)) << 32 | std::max(a, b);
         const auto [place, is_new] =

@@ -20,7 +20,7 @@ std::size_t triangles_of(const scene::Scene& scene) {
     return sum;
 }
 
-/// Of the pixels, by object.
+/// Shares of the pixels, by object.
 std::vector<double> shares(const Drawing& drawing) {
     const auto machine = make_machine(drawing.request, drawing.profile);
     const auto ids = scene::draw_item_buffer(*machine, drawing.scene, drawing.view(), {});

@@ -22,7 +22,7 @@ struct StudyRow {
     std::vector<Cost> costs;  ///< in the order of methods()
 
     const Cost& cost(const std::string& method) const;
-    /// Of the pixels of all samples, those whose reflections are traced: the paper's g, 0 .. 1.
+    /// The part of all samples' pixels whose reflections are traced: the paper's g, 0 .. 1.
     double share() const;
 };
 

@@ -10,8 +10,8 @@ struct StudyPlot {
     std::string name;  ///< of the file, without its extension
     plot::Plot plot;
 };
-/// Of a sweep with two rows or more: counts, estimated seconds, gain, processor seconds if they were
-/// measured, and the error of samples against the estimated time.
+/// The plots of a sweep with two rows or more: counts, estimated seconds, gain, measured processor
+/// seconds, and the error of samples against the estimated time.
 std::vector<StudyPlot> plots(const PassStudy& study, const std::string& sweep);
 
 /// Where ordinary ray tracing and the item buffer take the same time, here and at each list's prices:

@@ -1,6 +1,8 @@
 // An implementation of OpenGL in a shared library, loaded when it is asked for, and a context on it.
 #pragma once
 
+#include "inspect/peer/loaded.h"
+
 #include <memory>
 #include <string>
 
@@ -18,5 +20,10 @@ public:
 /// through GLX on $DISPLAY; else the path of a libOSMesa or a libGL. Throws Error if it cannot be
 /// loaded, is neither, or makes no such context.
 std::unique_ptr<Surface> make_surface(const std::string& implementation, int width, int height);
+
+/// The two kinds: memory of ours by OSMesa, a pbuffer by GLX.
+std::unique_ptr<Surface> make_osmesa(const Loaded& loaded, int width, int height);
+/// Throws Error if $DISPLAY has no X server or the server and the library have no GLX 1.3.
+std::unique_ptr<Surface> make_glx(const Loaded& loaded, int width, int height);
 
 }  // namespace gw::peer

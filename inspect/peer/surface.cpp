@@ -1,8 +1,7 @@
-#include "inspect/peer/library.h"
+#include "inspect/peer/surface.h"
 
 #include "gw/error.h"
 #include "inspect/peer/loaded.h"
-#include "inspect/peer/surfaces.h"
 
 namespace gw::peer {
 namespace {
