@@ -49,8 +49,8 @@ double folded(double angle, const std::vector<double>& horizontal) {
     return last <= 90 && angle > 90 ? 180 - angle : angle;
 }
 
-/// The integral over directions of a function linear in the vertical angle, from a to b radians, where
-/// it is f and g: of (f + (g - f) (x - a) / (b - a)) sin x.
+/// The integral of (f + (g - f) (x - a) / (b - a)) sin x from a to b radians: over directions, of a
+/// function linear in the vertical angle.
 double band(double a, double b, double f, double g) {
     const double slope = (g - f) / (b - a);
     return f * cos(a) - g * cos(b) + slope * (sin(b) - sin(a));
@@ -95,7 +95,7 @@ struct Angles {
     double vertical = 0, horizontal = 0;
 };
 
-/// Of a direction, for a luminaire whose straight down is `axis`.
+/// The angles of a direction, for a luminaire whose straight down is `axis`.
 Angles angles_of(Photometry::Type type, const dvec3& axis, const dvec3& direction, double turn) {
     // The shortest turn of -y to the axis takes x and -z there.
     const dvec3 down(0, -1, 0);

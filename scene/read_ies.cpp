@@ -32,7 +32,7 @@ public:
     double number(const char* what) {
         const std::string_view word = next_word(what);
         const auto value = read_double(word);
-        if (!value) fail("'" + shown(word) + "' is no number", what);
+        if (!value) fail("'" + excerpt_of(word) + "' is no number", what);
         return *value;
     }
     double number(const char* what, double low, double high) {
@@ -50,7 +50,7 @@ public:
         while (!rest_.empty() || !row_.empty()) {
             skip();
             if (!row_.empty())
-                fail("'" + shown(row_) + "' follows the last candela value", "the end");
+                fail("'" + excerpt_of(row_) + "' follows the last candela value", "the end");
             if (!rest_.empty()) row_ = line();
         }
     }
@@ -62,7 +62,7 @@ public:
 
 private:
     static bool separates(char c) { return is_blank(c) || c == ',' || c == '\x1a'; }
-    static std::string shown(std::string_view word) {
+    static std::string excerpt_of(std::string_view word) {
         std::string text;
         for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
         return text;

@@ -73,7 +73,7 @@ struct Material {
     float Ni = 1;  ///< index of refraction
     float d = 1;   ///< opacity (1 - Tr)
     /// Opacity that varies [GLTF2 3.9.4]: d times that of a map, if there is one, and with vertex_d
-    /// the alpha of the mesh's colours. maps/finish.h cuts objects by it; what draws a scene finds
+    /// the alpha of the mesh's colours. maps/finish.h cuts objects by it. What draws a scene finds
     /// none.
     std::vector<Map> map_d;
     bool vertex_d = false;
@@ -85,8 +85,8 @@ struct Material {
     std::vector<Map> map_Ka, map_Kd, map_Ks, map_Ke;
     std::vector<Map> refl;        ///< sphere maps for the reflection component
     std::vector<Map> refraction;  ///< sphere maps looked up by the refracted ray [K1]
-    /// One of whose texels G multiplies the roughness and B the metallic part of the surface
-    /// [GLTF2 3.9.2], or RGB its F0, if that is given, and A its glossiness; maps/finish.h makes Ka, Kd,
+    /// At most one. G of its texels multiplies the surface's roughness, B its metallic part
+    /// [GLTF2 3.9.2]; or RGB its F0, if that is given, and A its glossiness. maps/finish.h makes Ka, Kd,
     /// Ks, Ns and their maps of it.
     std::vector<Map> map_metal;
     std::shared_ptr<const Physical> physical;  ///< glTF's surface; null: it is no such

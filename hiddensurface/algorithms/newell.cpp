@@ -146,9 +146,9 @@ private:
         output_.counts.planes += 1;
         const dvec4 plane = unit_plane(facet(b));
         const bool eye_in_front = is_before(plane, input_.view);
-        const Place place = place_of(a.world, plane, tolerance_);
-        const Place wanted = eye_in_front == is_behind ? Place::Back : Place::Front;
-        const bool yes = place == wanted || place == Place::On;
+        const PlaneSide side = side_of(a.world, plane, tolerance_);
+        const PlaneSide wanted = eye_in_front == is_behind ? PlaneSide::Back : PlaneSide::Front;
+        const bool yes = side == wanted || side == PlaneSide::On;
         if (log_.on())
             log_.add({.test = test,
                       .result = yes ? "yes" : "no",
@@ -200,7 +200,7 @@ private:
     bool cut(std::size_t i, std::size_t j) {
         const TreePiece& by = list_[j].world;
         const dvec4 plane = unit_plane(facet(list_[j]));
-        if (place_of(list_[i].world, plane, tolerance_) != Place::Both) return false;
+        if (side_of(list_[i].world, plane, tolerance_) != PlaneSide::Both) return false;
         auto [back, front] = cut_piece(list_[i].world, by.of, plane);
         if (back.parts.empty() || front.parts.empty()) return false;
         output_.counts.splits += 1;

@@ -38,9 +38,9 @@ private:
         return unit_plane(polygons_[i.polygon].world_facets[i.facet]);
     }
 
-    Place place(const TreePiece& piece, const dvec4& cut) {
+    PlaneSide side(const TreePiece& piece, const dvec4& cut) {
         tree_.plane_tests += 1;
-        return place_of(piece, cut, tolerance_);
+        return side_of(piece, cut, tolerance_);
     }
 
     std::size_t best(const std::vector<TreePiece>& pieces) {
@@ -51,7 +51,7 @@ private:
             const dvec4 candidate = plane(pieces[i].of);
             std::size_t splits = 0;
             for (const TreePiece& piece : pieces)
-                splits += place(piece, candidate) == Place::Both ? 1 : 0;
+                splits += side(piece, candidate) == PlaneSide::Both ? 1 : 0;
             if (splits < fewest) {
                 fewest = splits;
                 best = i;
@@ -83,11 +83,11 @@ private:
 
     void sort_in(TreePiece piece, TreeNode& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
-        switch (place(piece, at.plane)) {
-            case Place::On: at.pieces.push_back(std::move(piece)); return;
-            case Place::Front: front.push_back(std::move(piece)); return;
-            case Place::Back: back.push_back(std::move(piece)); return;
-            case Place::Both: break;
+        switch (side(piece, at.plane)) {
+            case PlaneSide::On: at.pieces.push_back(std::move(piece)); return;
+            case PlaneSide::Front: front.push_back(std::move(piece)); return;
+            case PlaneSide::Back: back.push_back(std::move(piece)); return;
+            case PlaneSide::Both: break;
         }
         const TreePiece& by = at.pieces.front();
         auto [behind, before] = cut_piece(piece, by.of, at.plane);
@@ -130,14 +130,17 @@ dvec3 some_normal(const Loop& p) {
 
 }  // namespace
 
-Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
+PlaneSide side_of(const TreePiece& piece, const dvec4& plane, double tolerance) {
     bool front = false, back = false;
     for (const Loop& part : piece.parts)
         for (const dvec3& p : part) {
             front = front || side(plane, p) > tolerance;
             back = back || side(plane, p) < -tolerance;
         }
-    return front && back ? Place::Both : front ? Place::Front : back ? Place::Back : Place::On;
+    return front && back ? PlaneSide::Both
+           : front       ? PlaneSide::Front
+           : back        ? PlaneSide::Back
+                         : PlaneSide::On;
 }
 
 std::vector<double> distances_of(const TreePiece& piece, const dvec4& plane) {

@@ -31,9 +31,9 @@ dvec4 unit_plane(const WorldFacet& facet);
 /// be off by this part of the scene's size.
 double world_tolerance(const std::vector<Polygon>& polygons);
 
-/// The place of a piece: in a plane, on one side of it, or across.
-enum class Place { On, Front, Back, Both };
-Place place_of(const TreePiece& piece, const dvec4& plane, double tolerance);
+/// Where a piece is: in a plane, on one side of it, or across.
+enum class PlaneSide { On, Front, Back, Both };
+PlaneSide side_of(const TreePiece& piece, const dvec4& plane, double tolerance);
 /// Cuts a piece by the plane of facet `by`: the part behind it and the part in front.
 std::pair<TreePiece, TreePiece> cut_piece(const TreePiece& piece, FacetIndex by,
                                           const dvec4& plane);

@@ -39,8 +39,8 @@ public:
         for (std::size_t i = 0; i < n_; ++i)
             for (std::size_t k = 0; k < i; ++k) {
                 tests += 2;
-                reach_[i * n_ + k] = reach_of(place_of(pieces[i], planes[k], tolerance));
-                reach_[k * n_ + i] = reach_of(place_of(pieces[k], planes[i], tolerance));
+                reach_[i * n_ + k] = reach_of(side_of(pieces[i], planes[k], tolerance));
+                reach_[k * n_ + i] = reach_of(side_of(pieces[k], planes[i], tolerance));
                 cyclic_ = across(reach_[i * n_ + k]) && across(reach_[k * n_ + i]);
                 if (cyclic_) return;  // they pierce, or would pierce if they were larger
             }
@@ -67,9 +67,9 @@ public:
     }
 
 private:
-    static Reach reach_of(Place place) {
-        return {place == Place::Front || place == Place::Both,
-                place == Place::Back || place == Place::Both};
+    static Reach reach_of(PlaneSide side) {
+        return {side == PlaneSide::Front || side == PlaneSide::Both,
+                side == PlaneSide::Back || side == PlaneSide::Both};
     }
     static bool across(const Reach& reach) { return reach.front && reach.back; }
 
@@ -173,7 +173,7 @@ private:
     void make_convex(std::vector<TreePiece>& pieces, ClusterNode& out) {
         const dvec4 first = plane(pieces.front());
         const bool solid = std::any_of(pieces.begin(), pieces.end(), [&](const TreePiece& piece) {
-            return place_of(piece, first, tolerance_) == Place::Back;
+            return side_of(piece, first, tolerance_) == PlaneSide::Back;
         });
         tree_.plane_tests += pieces.size();
         std::vector<std::size_t> priority(2 * pieces.size(), 1);
@@ -232,11 +232,11 @@ private:
         const dvec4 by = plane(pieces[face]);
         std::size_t front = 0, back = 0, cut = 0;
         for (const TreePiece& piece : pieces) {
-            const Place place = place_of(piece, by, tolerance_);
+            const PlaneSide side = side_of(piece, by, tolerance_);
             tree_.plane_tests += 1;
-            front += place == Place::Front ? 1 : 0;
-            cut += place == Place::Both ? 1 : 0;
-            back += place == Place::Back || place == Place::On ? 1 : 0;
+            front += side == PlaneSide::Front ? 1 : 0;
+            cut += side == PlaneSide::Both ? 1 : 0;
+            back += side == PlaneSide::Back || side == PlaneSide::On ? 1 : 0;
         }
         const std::size_t cost = 8 * cut + std::max(front, back);
         if (front + cut > 0 && back + cut > 0 && cost < best.cost) best = {by, pieces[face], cost};
@@ -246,9 +246,9 @@ private:
     void sort_in(TreePiece piece, const Separation& at, std::vector<TreePiece>& front,
                  std::vector<TreePiece>& back) {
         tree_.plane_tests += 1;
-        const Place place = place_of(piece, at.plane, tolerance_);
-        if (place != Place::Both) {
-            (place == Place::Front ? front : back).push_back(std::move(piece));
+        const PlaneSide side = side_of(piece, at.plane, tolerance_);
+        if (side != PlaneSide::Both) {
+            (side == PlaneSide::Front ? front : back).push_back(std::move(piece));
             return;
         }
         auto [behind, before] = cut_piece(piece, at.by.value().of, at.plane);

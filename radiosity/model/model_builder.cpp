@@ -2,7 +2,7 @@
 
 #include "gw/error.h"
 #include "scene/geometry/weld.h"
-#include "scene/maps/reflectance.h"
+#include "scene/maps/mean.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@ namespace gw::scene {
 
 using WorldCorners = std::array<dvec3, 3>;
 
-/// Of a triangle of the object's mesh, in the middle of the exposure.
+/// The corners of a triangle of the object's mesh, in the middle of the exposure.
 inline WorldCorners world_corners(const Object& object, const Triangle& t) {
     WorldCorners corners;
     for (std::size_t k = 0; k < 3; ++k) {

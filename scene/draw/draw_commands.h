@@ -44,8 +44,8 @@ TextureState texture_state(const Map& map);
 /// Returns the same mesh if the map changes nothing.
 MeshRef mapped_mesh(const MeshRef& mesh, const Map& map);
 
-/// The identifiers of a scene's polygons [K4i]: object i has first[i], first[i] + 1, ... for its
-/// mesh's own identifiers lowest[i], lowest[i] + 1, ..., even if objects share a mesh. first[0] =
+/// The identifiers of a scene's polygons [K4i]. Object i has first[i], first[i] + 1, ... for its
+/// mesh's own identifiers lowest[i], lowest[i] + 1, ..., even if objects share a mesh. first[0] is
 /// 1; 0 is the background.
 struct PolygonIds {
     std::vector<std::uint32_t> first, lowest;

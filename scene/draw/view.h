@@ -31,7 +31,7 @@ struct View {
     std::optional<Rows> only_rows{};
 
     Rows rows() const { return only_rows.value_or(Rows{0, height}); }
-    /// Of the pixel x, y in rows from the bottom.
+    /// The place of pixel x, y in rows from the bottom.
     std::size_t index(int x, int y) const { return pixel_index(x, y, width); }
 };
 
@@ -63,8 +63,8 @@ double reach_around(const dvec3& p, const Bounds& box);
 /// Whether `up` is parallel to the view but for rounding, or 0.
 bool is_along(const dvec3& view, const dvec3& up);
 
-/// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane (any up parallel to
-/// the line of sight is replaced by an axis that is not).
+/// World to eye: `eye` at 0, `at` on -z, `up` in the upper half of the yz plane. An up parallel to the
+/// line of sight is replaced by an axis that is not.
 dmat4 look_at(const dvec3& eye, const dvec3& at, const dvec3& up);
 
 /// Eye to clip for the frustum whose near rectangle is left .. right, bottom .. top (glFrustum).

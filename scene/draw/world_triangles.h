@@ -43,7 +43,7 @@ public:
         const auto& v = places_[triangle].vertex;
         return {vertices_[v[0]].p, vertices_[v[1]].p, vertices_[v[2]].p};
     }
-    /// Of length 1, or 0; the plane's if the mesh has none.
+    /// Normals of length 1, or 0; the plane's if the mesh has none.
     std::array<dvec3, 3> normals(std::uint32_t triangle) const {
         const auto& v = places_[triangle].vertex;
         if (!has_normals_[object_of(triangle)]) return plane_normals(triangle);
@@ -56,8 +56,8 @@ public:
     }
 
     /// The point of polygon `id` that the ray sees, on the plane of the triangle that the ray
-    /// passes through or least misses. (A fragment's centre lies in the snapped triangle, up to a
-    /// sixteenth of a pixel beside the true one.) None if no polygon has this identifier, or the
+    /// passes through or least misses: a fragment's centre lies in the snapped triangle, up to a
+    /// sixteenth of a pixel beside the true one. None if no polygon has this identifier, or the
     /// ray is parallel to it.
     std::optional<TrianglePoint> meet(std::uint32_t id, const dvec3& o, const dvec3& d) const;
 

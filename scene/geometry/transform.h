@@ -8,8 +8,8 @@ namespace gw::scene {
 
 dmat4 translation(const dvec3& by);
 dmat4 scaling(const dvec3& by);
-/// A matrix with an inverse in place of one that flattens all to a plane: a millionth of its size is left
-/// across, so that normals are those of the plane, and nothing is mirrored. Others stay as they are.
+/// A matrix with an inverse in place of one that flattens all to a plane; others stay as they are. A
+/// millionth of its size is left across: normals are those of the plane, and nothing is mirrored.
 dmat4 thickened(const dmat4& m);
 
 /// Right-handed about an axis of any length but 0; multiples of 90 degrees about x, y, z are exact.

@@ -10,7 +10,7 @@
 namespace gw::scene {
 namespace {
 
-/// Of a GLB file: little-endian words.
+/// Little-endian words of a GLB file.
 constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr std::size_t header_size = 12, chunk_header_size = 8;
 

@@ -20,7 +20,7 @@ Vector numbers_of(const std::optional<JsonValue>& value, Vector v, Range range =
     return v;
 }
 
-/// Of a quaternion x, y, z, w of length 1.
+/// The turn of a quaternion x, y, z, w of length 1.
 dmat4 turned(const dvec4& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
     dmat4 m(1);

@@ -12,7 +12,7 @@
 namespace gw::scene {
 namespace {
 
-std::string shown(const Json& json) {
+std::string value_text(const Json& json) {
     if (json.is_object()) return "an object";
     if (json.is_array()) return "an array";
     if (json.is_string()) return "'" + printable(json.get_ref<const std::string&>()) + "'";
@@ -111,7 +111,7 @@ void JsonValue::fail(std::string_view what) const {
 }
 
 void JsonValue::fail_expected(std::string_view expected) const {
-    fail("is " + shown(*json_) + "; expected " + std::string(expected));
+    fail("is " + value_text(*json_) + "; expected " + std::string(expected));
 }
 
 }  // namespace gw::scene

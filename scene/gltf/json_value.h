@@ -27,12 +27,12 @@ public:
     const std::string& file() const { return *file_; }
     const std::string& place() const { return place_; }
 
-    /// Of an object: the value of a key, if there is one.
+    /// The value of an object's key, if there is one.
     std::optional<JsonValue> find(const std::string& key) const;
     JsonValue at(const std::string& key) const;  ///< a key that must be there
     /// The keys of an object.
     std::vector<std::string> keys() const;
-    /// Of an array.
+    /// The elements of an array.
     std::size_t size() const;
     JsonValue operator[](std::size_t i) const;
 

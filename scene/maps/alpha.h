@@ -7,7 +7,7 @@
 
 namespace gw::scene {
 
-/// Of a texture's texels.
+/// The alphas of a texture's texels.
 struct AlphaRange {
     double low = 1, high = 1, mean = 1;
     double between = 0;  ///< share of those from 1/16 to 15/16

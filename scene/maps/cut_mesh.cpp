@@ -136,12 +136,12 @@ using Side = std::array<float, 6>;
 /// The points that cuts put on the sides of triangles, for all triangles of a side.
 class SidePoints {
 public:
-    /// Of the side from a to b, at t / whole.
+    /// Adds the point at t / whole of the side from a to b.
     void add(const vec3& a, const vec3& b, std::int64_t t) {
         const bool forward = is_before(a, b);
         points_[forward ? key(a, b) : key(b, a)].insert(forward ? t : whole - t);
     }
-    /// Those strictly between from and to, in this order.
+    /// The points strictly between from and to, in this order.
     std::vector<std::int64_t> between(const vec3& a, const vec3& b, std::int64_t from,
                                       std::int64_t to) const {
         const bool forward = is_before(a, b);

@@ -3,10 +3,10 @@
 #include "scene/geometry/mirrored_faces.h"
 #include "scene/maps/alpha.h"
 #include "scene/maps/cut_mesh.h"
+#include "scene/maps/map_lists.h"
 #include "scene/maps/mean.h"
 #include "scene/maps/metal.h"
 #include "scene/maps/mirrored.h"
-#include "scene/maps/missing.h"
 #include "scene/maps/patches.h"
 #include "scene/text/suggest.h"
 

@@ -1,7 +1,7 @@
 #include "scene/maps/mean.h"
 
 #include "gw/base/arithmetic.h"
-#include "scene/maps/mirrored.h"
+#include "scene/maps/map_lists.h"
 #include "scene/maps/physical.h"
 
 namespace gw::scene {
@@ -34,6 +34,14 @@ void replace_by_means(Scene& scene) {
             if (map.is_mean && map.texture)
                 map.texture = texel_of_mean(*map.texture, material.is_encoded);
         });
+}
+
+dvec3 reflectance_of(const Material& material) {
+    const dvec3 Kd(material.Kd);
+    dvec3 share = material.is_encoded ? decoded(Kd) : Kd;
+    for (const Map& map : material.map_Kd)
+        if (map.texture) share *= mean_of(*map.texture, material.is_encoded);
+    return share;
 }
 
 }  // namespace gw::scene

@@ -5,10 +5,13 @@
 
 namespace gw::scene {
 
-/// Of the colours of its texels, decoded if they are encoded as in sRGB.
+/// The mean colour of its texels, decoded if they are encoded as in sRGB.
 dvec3 mean_of(const Texture& texture, bool is_encoded);
 
 /// One texel in place of each map of colours that is a mean: Map::is_mean.
 void replace_by_means(Scene& scene);
+
+/// By channel: Kd times the mean of the texels of map_Kd, decoded if the material is encoded.
+dvec3 reflectance_of(const Material& material);
 
 }  // namespace gw::scene

@@ -1,5 +1,7 @@
 #include "scene/maps/mirrored.h"
 
+#include "scene/maps/map_lists.h"
+
 #include <map>
 #include <tuple>
 

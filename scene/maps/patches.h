@@ -27,7 +27,7 @@ struct Patches {
     /// The first texel of a patch.
     std::size_t column(std::size_t triangle) const { return triangle % columns * side; }
     std::size_t row(std::size_t triangle) const { return triangle / columns * side; }
-    /// Of corner 0, 1 or 2.
+    /// The coordinates of corner 0, 1 or 2.
     vec2 st(std::size_t triangle, std::size_t corner) const {
         const double first = double(margin()) + 0.5;
         const double s = double(column(triangle)) + first + (corner == 1 ? span() : 0);

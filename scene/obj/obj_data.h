@@ -81,8 +81,8 @@ public:
     void set_group(std::string_view name);
     void set_material(std::string_view name, int line);
 
-    /// Of the corners at the end of obj.corners: one face of them all, segments between neighbours,
-    /// or single points.
+    /// Take the corners at the end of obj.corners: as one face, as segments between neighbours, as
+    /// single points.
     void add_face(std::uint32_t corners, int line);
     void add_segments(std::uint32_t corners, int line);
     void add_points(std::uint32_t corners, int line);

@@ -40,8 +40,8 @@ std::vector<Bounds> boxes_of_parts(const ObjData& obj) {
     return boxes;
 }
 
-/// Where most of a file's corners are, of which a few may lie elsewhere, as marks of an origin do:
-/// the box without a sixteenth of them at each end of each axis.
+/// Where most of a file's corners are: the box without a sixteenth of them at each end of each axis. A
+/// few may lie elsewhere, as marks of an origin do.
 Bounds box_of_most(const ObjData& obj) {
     Bounds box{.empty = obj.corners.empty()};
     const auto end = std::ptrdiff_t(obj.corners.size() / 16);

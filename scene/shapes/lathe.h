@@ -37,7 +37,7 @@ struct ProfilePoint {
 
 /// Turns a profile in steps of 360 / slices degrees. The curve runs so that outside is to its
 /// right: bottom, up along the outside, down along the inside. s runs once round, from z, over x,
-/// in steps of 1 / slices; at a point on the axis it lies between its triangle's two others.
+/// in steps of 1 / slices. At a point on the axis it lies between its triangle's two others.
 MeshData revolve(const std::vector<ProfilePoint>& profile, int slices);
 
 }  // namespace gw::scene

@@ -34,8 +34,8 @@ MeshData make_cylinder(double radius, double height, int slices, int stacks, boo
 MeshData make_cone(double radius, double height, int slices, int stacks, bool capped);
 
 /// A ring about the y axis: `radius` is that of the circle in the plane y = 0 that the tube
-/// follows, `tube` the tube's own. 2 segments sides triangles. s once round the ring, t once round
-/// the tube.
+/// follows, `tube` the tube's own. 2 segments sides triangles. s runs once round the ring, t once
+/// round the tube.
 MeshData make_torus(double radius, double tube, int segments, int sides);
 
 /// A tube along the curve that goes p times round the y axis while it goes q times round a torus; a
@@ -44,8 +44,8 @@ MeshData make_torus(double radius, double tube, int segments, int sides);
 MeshData make_torus_knot(int p, int q, double radius, double tube, int segments, int sides);
 
 /// The Utah teapot: 64 segments^2 - 8 segments triangles, standing on y = 0, spout along x, 3.15
-/// high as published. s runs round body, lid, spout and handle, t up the body and the lid and along
-/// spout and handle.
+/// high as published. s runs round body, lid, spout and handle. t runs up the body and the lid, and
+/// along spout and handle.
 MeshData make_teapot(int segments);
 
 }  // namespace gw::scene

@@ -25,7 +25,7 @@ struct SceneFile {
     /// The scene's coordinates are the files' minus this: 0 unless these lie far from 0, as map
     /// coordinates do (scene/geometry/far.h).
     dvec3 origin{0};
-    /// Of a scene that changes with time: one of TOML, one for each animation of glTF.
+    /// How the scene changes with time: one of TOML, one for each animation of glTF.
     std::vector<Film> films{};
 };
 

@@ -1,7 +1,7 @@
 // Binds the keys of a TOML table to the fields of a struct: one line for each key.
 //     read_table(table, {key("eye", camera.eye), key("fov", camera.fov, {0.1, 179})});
-// Every key that is not in the list, every wrong type and every number out of range is an Error
-// with file and line.
+// A key that is not in the list, a wrong type, a number out of range: each is an Error with file
+// and line.
 #pragma once
 
 #include "gw/base/types.h"

@@ -32,8 +32,8 @@ public:
 
 private:
     struct ObjectTable;
-    /// Of an OBJ file its material by name, of glTF the material itself, its place and a mesh that
-    /// parts may share.
+    /// A part of an OBJ file names its material. One of glTF has the material itself, a place and a
+    /// mesh that parts may share.
     struct SourcePart {
         std::string name, material;
         int material_line = 0;

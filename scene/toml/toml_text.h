@@ -14,9 +14,9 @@ inline bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x
 inline constexpr int most_toml_levels = 64;
 
 /// The text with ASCII comments; line numbers stay. Throws Error "file:line: ..." for bytes that are
-/// not UTF-8, and for a number that begins or ends with its point. So it does for a character beyond
-/// ASCII outside of strings and comments, or at the start of a line after an escaped end of line in
-/// a string, and for more than most_toml_levels. Appends to `headers` the beginnings of the lines
+/// not UTF-8, a number that begins or ends with its point, and more than most_toml_levels. So it does
+/// for a character beyond ASCII outside of strings and comments, or, in a string, at the start of a
+/// line after an escaped end of line. Appends to `headers` the beginnings of the lines
 /// that hold a header, [a.b] or [[a.b]].
 std::string toml_text(const std::string& file, std::string text,
                       std::vector<std::size_t>* headers = nullptr);

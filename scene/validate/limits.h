@@ -37,7 +37,7 @@ inline constexpr Range not_negative{0, std::numeric_limits<double>::max()};
 /// Coordinates far beyond any scene; products of three still fit a double, squares a float32.
 inline constexpr Range placeable{-1e18, 1e18};
 inline constexpr Range distances{0, 1e18};
-/// Of one object's pixmap, and of the scene's without a size.
+/// For one object's pixmap, and for the scene's without a size.
 inline constexpr Range pixmap_sides{1, 4096}, texels_per_unit{1e-9, 1e9};
 
 /// A value's name in files, and as a member.

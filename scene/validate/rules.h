@@ -21,7 +21,7 @@ std::optional<Fault> fault_of(const Fog& fog);
 std::optional<Fault> fault_of(const AreaLight& area);
 std::optional<Fault> fault_of(const Light& light);  ///< not of its area
 std::optional<Fault> fault_of(const PixmapChoice& pixmap);
-/// Of an object's world_from_object.
+/// An object's matrix.
 std::optional<Fault> fault_of(const dmat4& world_from_object);
 
 }  // namespace gw::scene

@@ -23,7 +23,7 @@ double farthest_from(const dvec3& p, const Bounds& box) {
     return farthest;
 }
 
-/// Of the whole sphere, or of a spot's cone.
+/// Views of the whole sphere, or of a spot's cone.
 std::vector<View> views_around(const Light& light, double far_plane) {
     const dvec3 p(light.position);
     if (light.kind == LightKind::Spot && light.cone_angle < 89) {

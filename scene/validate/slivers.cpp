@@ -45,7 +45,7 @@ std::pair<dvec2, dvec2> box_of(const dvec2& p, const dvec2& q, const dvec2& r) {
     return {glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r))};
 }
 
-/// Of a clockwise triangle, in units of a pixel.
+/// Whether a clockwise triangle does, in units of a pixel.
 bool covers_a_center(const dvec2& p, const dvec2& q, const dvec2& r, double units) {
     const auto [low, high] = box_of(p, q, r);
     const auto first = [&](double v) { return (std::ceil(v / units - 0.5) + 0.5) * units; };

@@ -22,10 +22,10 @@ enum class DrawnBy {
 /// A colour above is taken to be one of 0 to 255.
 inline constexpr float in_bytes = 16;
 
-/// The lines for this scene and view: objects that the near plane or a light's map cuts off,
-/// coincident objects, spots between vertices, maps without texture coordinates or with an alpha
-/// that is not used, colours of 0 to 255, normals of length 0 or that look the other way than their
-/// faces, lines and points that are left out. Empty: nothing to say.
+/// The lines for this scene and view. Objects: those that the near plane or a light's map cuts off,
+/// coincident ones, lines and points that are left out. Surfaces: maps without texture coordinates
+/// or with an alpha that is not used, colours of 0 to 255, spots between vertices. Normals: of
+/// length 0, or away from their faces. Empty: nothing to say.
 std::vector<std::string> warnings_of(const Scene& scene, const View& view, DrawnBy by);
 
 /// What radiosity leaves out of a scene besides: a line each for opacity, maps of Kd and lights

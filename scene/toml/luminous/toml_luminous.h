@@ -21,7 +21,7 @@ void add_luminous_keys(std::vector<Key>& keys, LuminousKeys& luminous);
 void read_luminous(const TomlValue& table, const LuminousKeys& keys, const LightScene& scene,
                    Light& light);
 
-/// Of a pixmap with lumen, nit and color: nit become its emission. Throws Error for keys that exclude
+/// Reads a pixmap's lumen, nit and color: nit become its emission. Throws Error for keys that exclude
 /// each other.
 void read_lamp(const TomlValue& table, double nit, PixmapChoice& pixmap);
 

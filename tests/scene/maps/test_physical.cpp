@@ -2,7 +2,7 @@
 // reflect stays what glTF says. The encoding is written anew, in the library's functions.
 #include "scene/maps/physical.h"
 
-#include "scene/maps/reflectance.h"
+#include "scene/maps/mean.h"
 #include "tests/gw/random.h"
 
 #include <gtest/gtest.h>

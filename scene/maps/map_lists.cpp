@@ -1,5 +1,3 @@
-#include "scene/maps/missing.h"
-
 #include "scene/maps/map_lists.h"
 
 #include <algorithm>
