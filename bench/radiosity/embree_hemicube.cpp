@@ -1,8 +1,7 @@
 #include "bench/radiosity/embree_hemicube.h"
 
 #include "gw/error.h"
-
-#include <embree3/rtcore.h>
+#include "tests/raytrace/embree_scene.h"
 
 #include <algorithm>
 
@@ -23,32 +22,13 @@ struct Triangles {
     }
 };
 
-RTCScene scene_of(RTCDevice device, const std::vector<vec3>& corners) {
-    RTCScene scene = rtcNewScene(device);
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                          RTC_FORMAT_FLOAT3, 12, corners.size()));
-    auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, corners.size() / 3));
-    for (const vec3& corner : corners)
-        for (int c = 0; c < 3; ++c) *v++ = corner[c];
-    for (unsigned i = 0; i < corners.size(); ++i) index[i] = i;
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(scene, mesh);
-    rtcReleaseGeometry(mesh);
-    rtcCommitScene(scene);
-    return scene;
-}
-
 }  // namespace
 
 struct EmbreeHemicube::Scene {
     const radiosity::PixmapModel& model;
     Triangles triangles;
     radiosity::DeltaFormFactors delta;
-    RTCDevice device = rtcNewDevice("threads=1");
-    RTCScene scene;
+    raytrace::EmbreeScene embree;
     std::vector<RTCRayHit> rays;  ///< of a row of pixels
     std::vector<double> factors;
     std::vector<std::uint32_t> ids;
@@ -57,12 +37,8 @@ struct EmbreeHemicube::Scene {
         : model(of),
           triangles(of),
           delta(radiosity::delta_form_factors(size)),
-          scene(scene_of(device, triangles.corners)),
+          embree(triangles.corners),
           rays(std::size_t(size)) {}
-    ~Scene() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
 
     void row(const radiosity::Hemicube& hemicube, const scene::View& view, int y,
              const double* deltas) {
@@ -79,7 +55,8 @@ struct EmbreeHemicube::Scene {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);
         context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-        rtcIntersect1M(scene, &context, rays.data(), unsigned(rays.size()), sizeof(RTCRayHit));
+        rtcIntersect1M(embree.scene(), &context, rays.data(), unsigned(rays.size()),
+                       sizeof(RTCRayHit));
         for (std::size_t x = 0; x < rays.size(); ++x) {
             const RTCRayHit& r = rays[x];
             if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) {

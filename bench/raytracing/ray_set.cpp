@@ -3,8 +3,7 @@
 #include "gw/stages/texgen.h"
 #include "gw/stages/vertex.h"
 #include "scene/draw/view.h"
-
-#include <embree3/rtcore.h>
+#include "tests/raytrace/embree_scene.h"
 
 #include <algorithm>
 #include <ctime>
@@ -46,68 +45,6 @@ private:
     const scene::Scene& scene_;
     const raytrace::World& world_;
     const scene::View& view_;
-};
-
-/// Embree's scene of the same triangles.
-class Embree {
-public:
-    explicit Embree(const std::vector<raytrace::HierarchyTriangle>& triangles)
-        : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
-        for (const auto& t : triangles)
-            for (const vec3& c : t.corner)
-                for (int k = 0; k < 3; ++k) *v++ = c[k];
-        for (unsigned i = 0; i < triangles.size() * 3; ++i) index[i] = i;
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometry(scene_, mesh);
-        rtcReleaseGeometry(mesh);
-        rtcCommitScene(scene_);
-    }
-    Embree(const Embree&) = delete;
-    ~Embree() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    bool nearest(const HierarchyRay& ray) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit r;
-        r.ray = embree_ray(ray);
-        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &r);
-        return r.hit.geomID != RTC_INVALID_GEOMETRY_ID;
-    }
-    bool occluded(const HierarchyRay& ray) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRay r = embree_ray(ray);
-        rtcOccluded1(scene_, &context, &r);
-        return r.tfar < 0;
-    }
-
-private:
-    static RTCRay embree_ray(const HierarchyRay& r) {
-        return {r.origin.x,
-                r.origin.y,
-                r.origin.z,
-                r.low,
-                r.direction.x,
-                r.direction.y,
-                r.direction.z,
-                0,
-                r.high,
-                ~0u,
-                0,
-                0};
-    }
-    RTCDevice device_;
-    RTCScene scene_;
 };
 
 /// As the hierarchy and Embree take it: a second ray begins a little behind its start.
@@ -163,7 +100,7 @@ RayRaces race(const RaySet& rays, const raytrace::World& world, int runs) {
     const auto triangles = raytrace::hierarchy_triangles(world.triangles());
     RayRaces out;
     out.build.rays = triangles.size();
-    std::optional<Embree> embree;
+    std::optional<raytrace::EmbreeScene> embree;
     for (int run = 0; run < runs; ++run) {
         double start = processor_seconds();
         const raytrace::Hierarchy ours(triangles, 1);
@@ -181,7 +118,9 @@ RayRaces race(const RaySet& rays, const raytrace::World& world, int runs) {
         return world.hierarchy().nearest(r).has_value();
     };
     const auto single_any = [&](const HierarchyRay& r) { return world.hierarchy().occluded(r); };
-    const auto their_nearest = [&](const HierarchyRay& r) { return embree->nearest(r); };
+    const auto their_nearest = [&](const HierarchyRay& r) {
+        return embree->nearest(r).triangle != raytrace::no_triangle;
+    };
     const auto their_any = [&](const HierarchyRay& r) { return embree->occluded(r); };
     out.primary = race(rays.primary, runs, nearest, single_nearest, their_nearest);
     out.reflected = race(rays.reflected, runs, nearest, single_nearest, their_nearest);

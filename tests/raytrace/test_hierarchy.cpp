@@ -1,9 +1,9 @@
 // [L12] The hierarchy finds what asking every triangle finds, bit for bit, on every target; Embree
 // agrees; and nothing leaks between neighbours.
 #include "gw/fast/simd/simd_target.h"
+#include "tests/raytrace/embree_scene.h"
 #include "tests/raytrace/random_triangles.h"
 
-#include <embree3/rtcore.h>
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -165,58 +165,6 @@ TEST(Hierarchy, LeaksNowhereBetweenNeighbours) {
             }
     });
 }
-
-class EmbreeScene {
-public:
-    explicit EmbreeScene(const std::vector<HierarchyTriangle>& triangles)
-        : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_)) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        RTCGeometry mesh = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* v = static_cast<float*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, triangles.size() * 3));
-        auto* index = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, triangles.size()));
-        for (const HierarchyTriangle& t : triangles)
-            for (const vec3& c : t.corner)
-                for (int k = 0; k < 3; ++k) *v++ = c[k];
-        for (unsigned i = 0; i < triangles.size() * 3; ++i) index[i] = i;
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometry(scene_, mesh);
-        rtcReleaseGeometry(mesh);
-        rtcCommitScene(scene_);
-    }
-    EmbreeScene(const EmbreeScene&) = delete;
-    ~EmbreeScene() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-
-    HierarchyHit nearest(const HierarchyRay& ray) const {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        RTCRayHit r{};
-        r.ray = {ray.origin.x,
-                 ray.origin.y,
-                 ray.origin.z,
-                 ray.low,
-                 ray.direction.x,
-                 ray.direction.y,
-                 ray.direction.z,
-                 0,
-                 ray.high,
-                 ~0u,
-                 0,
-                 0};
-        r.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_, &context, &r);
-        if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {0, no_triangle};
-        return {r.ray.tfar, r.hit.primID};
-    }
-
-private:
-    RTCDevice device_;
-    RTCScene scene_;
-};
 
 TEST(Hierarchy, AgreesWithEmbree) {
     const auto triangles = RandomRays(30).triangles(5000, 0.2f);

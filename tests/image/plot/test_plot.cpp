@@ -1,5 +1,6 @@
 // Plots as text: what is drawn where, what is refused.
 #include "gw/error.h"
+#include "image/plot/markup.h"
 #include "image/plot/plot.h"
 #include "image/plot/scale.h"
 
@@ -136,6 +137,11 @@ TEST(PowerLaw, NeedsTwoDifferentX) {
     EXPECT_THROW(power_law({}), Error);
     EXPECT_THROW(power_law({{2, 1}, {2, 3}}), Error);
     EXPECT_THROW(power_law({{2, 1}, {4, 0}}), Error);
+}
+
+TEST(Escaped, IsHarmlessInTextAndInAttributes) {
+    EXPECT_EQ(escaped("<a href=\"x\">'&'"), "&lt;a href=&quot;x&quot;&gt;&#39;&amp;&#39;");
+    EXPECT_EQ(escaped("輪 plain"), "輪 plain");
 }
 
 }  // namespace
