@@ -3,9 +3,9 @@
 #include "gl/drawable/settings.h"
 #include "gl/drawable/window_samples.h"
 #include "gl/egl/failure.h"
+#include "gl/x11/criteria.h"
 #include "gl/x11/geometry.h"
 
-#include <algorithm>
 #include <array>
 #include <iterator>
 #include <set>
@@ -14,13 +14,10 @@ namespace gw::gl::egl {
 
 namespace {
 
-enum class Match { Exact, AtLeast, Mask, Ignored };
-/// [EGL 1.5] table 3.4: how a requested value is compared, and the value if none is requested.
-struct Criterion {
-    EGLint name;
-    Match match;
-    EGLint initial = EGL_DONT_CARE;
-};
+using x11::Criterion;
+using x11::Match;
+
+/// [EGL 1.5] table 3.4
 constexpr Criterion criteria[] = {
     {EGL_BUFFER_SIZE, Match::AtLeast, 0},
     {EGL_RED_SIZE, Match::AtLeast, 0},
@@ -83,42 +80,12 @@ bool is_value_of(const Criterion& criterion, EGLint value) {
     return criterion.match != Match::AtLeast || value >= 0;
 }
 
-bool fits(Match match, EGLint has, EGLint requested) {
-    if (requested == EGL_DONT_CARE) return true;
-    switch (match) {
-        case Match::Exact: return has == requested;
-        case Match::AtLeast: return has >= requested;
-        case Match::Mask: return (has & requested) == requested;
-        case Match::Ignored: return true;
-    }
-    return true;
-}
-
-Request request_of(const EGLint* list) {
-    Request request;
-    for (std::size_t i = 0; i < criterion_count; ++i) request[i] = criteria[i].initial;
-    for (; list != nullptr && list[0] != EGL_NONE; list += 2) {
-        const auto* const found =
-            std::find_if(std::begin(criteria), std::end(criteria),
-                         [&](const Criterion& c) { return c.name == list[0]; });
-        if (found == std::end(criteria) || !is_value_of(*found, list[1]))
-            throw Failure{EGL_BAD_ATTRIBUTE};
-        request[std::size_t(found - criteria)] = list[1];
-    }
-    // A configuration that is named by its number is taken whatever else is requested.
-    if (const EGLint id = request.back(); id != EGL_DONT_CARE) {
-        request.fill(EGL_DONT_CARE);
-        request.back() = id;
-    }
-    return request;
-}
-
 /// Whether a configuration has what is requested. OpenGL ES 1 is not asked for: it is the table's
 /// initial value, and the screen savers request it for contexts of OpenGL.
 bool fits(const Config& config, const Criterion& criterion, EGLint requested) {
     EGLint has = attribute(config, criterion.name).value_or(0);
     if (criterion.name == EGL_RENDERABLE_TYPE) has |= EGL_OPENGL_ES_BIT;
-    return fits(criterion.match, has, requested);
+    return x11::fits(criterion.match, has, requested);
 }
 
 bool matches(const Config& config, const Request& request) {
@@ -190,10 +157,11 @@ std::optional<EGLint> attribute(const Config& c, EGLint name) {
 }
 
 std::vector<Config*> matching(std::deque<Config>& configs, const EGLint* list) {
-    const Request request = request_of(list);
+    const std::optional<Request> request = x11::request_of(criteria, list, EGL_NONE, is_value_of);
+    if (!request) throw Failure{EGL_BAD_ATTRIBUTE};
     std::vector<Config*> found;
     for (Config& config : configs)
-        if (matches(config, request)) found.push_back(&config);
+        if (matches(config, *request)) found.push_back(&config);
     return found;
 }
 

@@ -2,22 +2,22 @@
 
 #include "gl/drawable/settings.h"
 #include "gl/drawable/window_samples.h"
+#include "gl/x11/criteria.h"
 #include "gl/x11/geometry.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <tuple>
 
 namespace gw::gl::glx {
 
 namespace {
 
-enum class Match { Exact, AtLeast, Mask, Ignored };
-/// [GLX 1.4] table 3.4: how a requested value is compared, and the value if none is requested.
-struct Criterion {
-    int name;
-    Match match;
-    int initial = int(GLX_DONT_CARE);
-};
+using x11::Criterion;
+using x11::Match;
+
+/// [GLX 1.4] table 3.4
 constexpr Criterion criteria[] = {
     {GLX_BUFFER_SIZE, Match::AtLeast, 0},
     {GLX_LEVEL, Match::Exact, 0},
@@ -67,41 +67,12 @@ bool is_value_of(const Criterion& criterion, int value) {
     return !is_boolean(criterion.name) || value == True || value == False;
 }
 
-bool fits(Match match, int has, int requested) {
-    if (requested == int(GLX_DONT_CARE)) return true;
-    switch (match) {
-        case Match::Exact: return has == requested;
-        case Match::AtLeast: return has >= requested;
-        case Match::Mask: return (has & requested) == requested;
-        case Match::Ignored: return true;
-    }
-    return true;
-}
-
 constexpr std::size_t criterion_count = std::size(criteria);
 using Request = std::array<int, criterion_count>;
 
-std::optional<Request> request_of(const int* list) {
-    Request request;
-    for (std::size_t i = 0; i < criterion_count; ++i) request[i] = criteria[i].initial;
-    for (; list != nullptr && list[0] != 0; list += 2) {
-        const auto* const found =
-            std::find_if(std::begin(criteria), std::end(criteria),
-                         [&](const Criterion& c) { return c.name == list[0]; });
-        if (found == std::end(criteria) || !is_value_of(*found, list[1])) return {};
-        request[std::size_t(found - criteria)] = list[1];
-    }
-    // A configuration that is named by its number is taken whatever else is requested.
-    if (const int id = request.back(); id != int(GLX_DONT_CARE)) {
-        request.fill(int(GLX_DONT_CARE));
-        request.back() = id;
-    }
-    return request;
-}
-
 bool matches(const Config& config, const Request& request) {
     for (std::size_t i = 0; i < criterion_count; ++i)
-        if (!fits(criteria[i].match, *attribute(config, criteria[i].name), request[i]))
+        if (!x11::fits(criteria[i].match, *attribute(config, criteria[i].name), request[i]))
             return false;
     return true;
 }
@@ -200,7 +171,7 @@ std::optional<int> attribute(const Config& c, int name) {
 }
 
 std::optional<std::vector<Config*>> matching(std::deque<Config>& configs, const int* list) {
-    const std::optional<Request> request = request_of(list);
+    const std::optional<Request> request = x11::request_of(criteria, list, 0, is_value_of);
     if (!request) return {};
     std::vector<Config*> found;
     for (Config& config : configs)
