@@ -68,7 +68,9 @@ struct TranslatedState {
     StateParts stale = all_state_parts;
     std::uint64_t changes = 1;        ///< so far
     std::uint64_t runs_drawn_at = 0;  ///< `changes` at the last small runs of a list
-    SharedValue<gw::State> state;     ///< with the commands that set it
+    gw::State now;
+    SharedValue<gw::State> state;   ///< `now`, shared with the commands that set it
+    SharedValue<gw::State> before;  ///< programs switch between two
     LightsRef lights;
 };
 

@@ -50,10 +50,21 @@ FaceMaterials face_materials(const Context& context) {
             machine_material(context.state.lighting.material[1])};
 }
 
+namespace {
+
+void share_state(TranslatedState& t) {
+    if (t.now == *t.state) return;
+    std::swap(t.state, t.before);
+    if (t.now != *t.state) t.state = t.now;
+}
+
+}  // namespace
+
 void update_machine_state(Context& context) {
     TranslatedState& t = context.translated;
     if (t.stale == no_state_part) return;
-    translate_state(context, t.stale, t.state.edit());
+    translate_state(context, t.stale, t.now);
+    share_state(t);
     if ((t.stale & lighting_part) != 0) t.lights = machine_lights(context.state.lighting);
     t.stale = no_state_part;
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 namespace gw {
@@ -21,8 +22,9 @@ struct Checker {
     std::size_t command = 0;
     const char* name = "";
     std::string_view pass{};
-    mutable const void* checked_lights = nullptr;  ///< of the last draw
-    mutable const void* checked_mesh = nullptr;    ///< the last one
+    mutable const void* checked_lights = nullptr;          ///< of the last draw
+    mutable const void* checked_mesh = nullptr;            ///< the last one
+    mutable std::array<const State*, 2> checked_states{};  ///< the last two
 
     [[noreturn]] void fail(const std::string& what) const {
         throw Error(fmt::format("command {} ({}){}: {}", command, name,

@@ -204,6 +204,8 @@ void check_viewport(const Checker& c, const ViewportState& v) {
 
 void check(const Checker& c, const SetState& set) {
     const State& s = set.state;
+    const auto [last, before] = c.checked_states;
+    if (&s == last || &s == before) return;
     check_extensions(c, s);
     for_each_value(s, [&](const Path& path, const Plain auto& value, const auto& field) {
         check_value(c, path, value, field.bounds);
@@ -226,6 +228,7 @@ void check(const Checker& c, const SetState& set) {
     check_scissor(c, s.scissor.box);
     check_blend(c, s.blend);
     check_buffers(c, s);
+    c.checked_states = {&s, last};
 }
 
 }  // namespace gw

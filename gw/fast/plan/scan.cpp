@@ -149,14 +149,16 @@ void Scan::clear() {
     read_keys_.clear();
     color_plane_.reset();
     given_ = nullptr;
-    state_ = nullptr;
+    state_ = state_before_ = nullptr;
     hashed_ = nullptr;
 }
 
 void Scan::use_state(const State& state) {
     if (given_ == &state) return;
     given_ = &state;
+    if (state_before_ && state_before_->state == &state) return std::swap(state_, state_before_);
     if (state_ && *state_->state == state) return;
+    state_before_ = state_;
     const std::uint64_t hash = hash_of(state);
     state_ = state_table_.find(hash, [&](const ScannedState& s) { return *s.state == state; });
     if (state_) return;

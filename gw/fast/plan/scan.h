@@ -89,7 +89,7 @@ private:
     std::vector<PassReport>* passes_ = nullptr;
     State initial_;
     const State* given_ = nullptr;  ///< of the commands: `state_` is this
-    ScannedState* state_ = nullptr;
+    ScannedState *state_ = nullptr, *state_before_ = nullptr;
     std::array<std::uint64_t, steps_ahead> hashes_{};  ///< of the next commands, if they are draws
     const dmat4* hashed_ = nullptr;  ///< the last transform; most draws have that of the last draw
     std::uint64_t transform_hash_ = 0;
