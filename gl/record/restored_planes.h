@@ -21,7 +21,7 @@ CommandList restoring_list(const Planes& planes, const Profile& profile, const s
 
 /// A surface and all of its values, the same for all samples of a pixel.
 struct SurfaceValues {
-    Surface surface;
+    gw::Surface surface;
     std::vector<Readback> parts;
 };
 /// The same for a machine's surfaces, by number; `in_use` is used afterwards. The window's planes stay 0.
