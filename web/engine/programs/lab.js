@@ -17,7 +17,7 @@
 
   const doings = {
     look({ language, dark }) {
-      document.documentElement.style.colorScheme = dark ? 'dark' : 'light';
+      document.documentElement.dataset.theme = dark ? 'dark' : 'light';
       Module.screen.say(language);
     },
     key: (event) => Module.screen.press(event),
