@@ -24,8 +24,8 @@ std::vector<std::string> outcome_words();
 
 struct GradedSubmission {
     std::string name;
-    std::string
-        digest;  ///< of its files and the task: equal ones have equal marks; "" if it was not run
+    /// of its files and the task: equal ones have equal marks; "" if it was not run
+    std::string digest;
     std::vector<GradedScene> scenes;
     std::string lacks;  ///< the program that this computer lacks to run it; "" if none
 

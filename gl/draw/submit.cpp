@@ -52,6 +52,7 @@ FaceMaterials face_materials(const Context& context) {
 
 namespace {
 
+/// If the state before last has come back, so does its object.
 void share_state(TranslatedState& t) {
     if (t.now == *t.state) return;
     std::swap(t.state, t.before);
